@@ -1,0 +1,100 @@
+// What was observed: the output of both solvers, one HDF5 file per run, with XDMF beside it for
+// ParaView.
+//
+// Layout (read by record/reader.h, verify and postprocess; nothing else needs to know HDF5):
+//   /                     attributes: format, program, status ("running", "complete", "failed:
+//   ..."), scene hash /provenance           attributes: see provenance.h; dataset scene (the merged
+//   TOML text) /tables/<name>        attribute columns, units;      time[n], values[n][k]
+//   (histories, reactions, means) /lines/<name>         attribute columns, units;      time[n],
+//   position[n][m][2], values[n][m][k]  (NaN = missing) /outlines/<name>/<i>  attribute time;
+//   offset[c+1], vertex[v][2]   (closed polylines) /snapshots/<name>/<i> attribute time, kind; see
+//   Snapshot /profile              part[k], wall_s[k], cpu_s[k], calls[k]; attributes
+//   peak_rss_bytes, steps, cells, points ...
+// The file is written as <path>.part and renamed by finish(): a crash never leaves a half file
+// under the final name.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "record/provenance.h"
+#include "scene/scene.h"
+
+namespace record
+{
+  using scene::Point;
+  using scene::Polyline;
+
+  struct Columns
+  {
+    std::vector<std::string> names, units;
+  };
+
+  /// A sampled line: m positions, m x k values row-major; NaN where no material is.
+  struct LineSample
+  {
+    std::vector<Point> position;
+    std::vector<double> values;
+  };
+
+  /// A whole-field snapshot. grid: nodal fields on the regular mesh (nodes[0] x nodes[1], x
+  /// fastest); points: a cloud; cells: quadrilaterals (vertex, connectivity of 4) with one value
+  /// per cell.
+  struct Snapshot
+  {
+    enum class Kind
+    {
+      grid,
+      points,
+      cells
+    } kind = Kind::points;
+    Point origin = Point::Zero(), spacing = Point::Zero();
+    std::array<int, 2> nodes{0, 0};
+    std::vector<Point> vertex;
+    std::vector<int> connectivity;
+    std::map<std::string, std::vector<double>> fields;
+  };
+
+  struct Profile
+  {
+    struct Part
+    {
+      std::string name;
+      double wall_s = 0., cpu_s = 0.;
+      long calls = 0;
+    };
+    std::vector<Part> parts; // set-up, solve, output, and the solver's own parts
+    std::map<std::string, double>
+        numbers; // steps, cells, points, wall_s, cpu_s, peak_rss_bytes, bytes of each module ...
+  };
+
+  class Writer
+  {
+  public:
+    /// Opens <path>.part. Throws if `path` exists and `force` is false, or if it cannot be written.
+    Writer(const std::string &path, const Provenance &, const scene::Scene &, bool force);
+    ~Writer(); // an unfinished record stays <path>.part
+    Writer(const Writer &) = delete;
+    Writer &operator=(const Writer &) = delete;
+
+    /// Tables and lines are declared by their first call; later calls must have the same columns.
+    void table(const std::string &name, const Columns &, double time,
+               const std::vector<double> &row);
+    void line(const std::string &name, const Columns &, double time, const LineSample &);
+    void outline(const std::string &name, double time, const std::vector<Polyline> &);
+    void snapshot(const std::string &name, double time, const Snapshot &);
+    void attribute(const std::string &name, const std::string &value);
+    void attribute(const std::string &name, double value);
+
+    /// After this the rows so far survive a kill (HDF5 flush).
+    void flush();
+    /// Writes profile and status, the XDMF file beside it, and renames to the final name.
+    void finish(const Profile &, const std::string &status = "complete");
+
+  private:
+    struct File;
+    std::unique_ptr<File> file;
+  };
+} // namespace record

@@ -1,0 +1,29 @@
+// One definition of the bodies for points, phase field and finite-element mesh.
+#pragma once
+
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace scene
+{
+  /// Signed distance of `p` to the outline of one body or of the union of bodies, positive inside
+  /// the solid. Exact for one body; for a union the largest of the bodies' distances. Throws
+  /// BadScene for a RecordedOutline that has not been replaced by its polygon.
+  double signed_distance(const Body &, const Point &p);
+  double signed_distance(const std::vector<Body> &, const Point &p);
+
+  /// Smallest box around all bodies.
+  Box bounding_box(const std::vector<Body> &);
+
+  /// Outline of the union as closed polylines, vertices at most `spacing` apart (circles and edges
+  /// are subdivided).
+  std::vector<Polyline> outline(const std::vector<Body> &, double spacing);
+
+  /// Area by the shoelace formula, positive for counter-clockwise.
+  double signed_area(const Polyline &);
+
+  /// Is `X` (initial position) part of what `where` names? Outline parts are matched within
+  /// `tolerance`.
+  bool contains(const Where &, const Box &bodies_box, const Point &X, double tolerance);
+} // namespace scene

@@ -1,0 +1,19 @@
+// Names of what a probe can ask for: the one list that both solvers and the comparisons use.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+namespace scene
+{
+  /// Quantities of the solid, in the scene's units; stresses are Cauchy, angles in radians (CCW +).
+  /// yielded: 1 where von Mises > 0.99 yield stress, so that its region mean is the yielded
+  /// fraction.
+  inline constexpr std::array<std::string_view, 16> solid_quantities{
+      "von_mises", "plastic_strain", "pressure",       "stress_xx",  "stress_yy",  "stress_zz",
+      "stress_xy", "displacement_x", "displacement_y", "velocity_x", "velocity_y", "jacobian",
+      "yielded",   "log_strain_xx",  "log_strain_yy",  "area"};
+
+  /// Quantities of the melt side; theta = (T - Tm)/(L/cp).
+  inline constexpr std::array<std::string_view, 3> melt_quantities{"phi", "theta", "crystal_angle"};
+} // namespace scene
