@@ -1,0 +1,77 @@
+#include "medium/field.h"
+
+#include <cmath>
+
+namespace medium
+{
+  namespace
+  {
+    /// Value beyond a border: from the value at its source and, for a fixed side, at the border.
+    template <class T>
+    T continued(T source, T border, Boundary boundary, bool odd)
+    {
+      switch (boundary)
+      {
+      case Boundary::periodic:
+        return source;
+      case Boundary::fixed:
+        return 2 * border - source;
+      case Boundary::no_flux:
+      case Boundary::symmetry:
+        break;
+      }
+      return odd ? -source : source;
+    }
+
+    template <class T>
+    void fill_row_ends(T *row, int count, const Mesh &mesh, bool odd)
+    {
+      const Boundary left = mesh.side(Edge::left), right = mesh.side(Edge::right);
+      for (int layer = 1; layer <= ghost_layers; ++layer)
+      {
+        const int low = -layer, high = count - 1 + layer;
+        row[low] = continued(row[source_index(low, count, left, right)], row[0], left, odd);
+        row[high] =
+            continued(row[source_index(high, count, left, right)], row[count - 1], right, odd);
+      }
+    }
+  } // namespace
+
+  template <class T>
+  void fill_ghosts(Field<T> &field, const Mesh &mesh, Parity parity)
+  {
+    const int nx = mesh.nodes[0], ny = mesh.nodes[1];
+    const bool odd_x = parity == Parity::odd_in_x || parity == Parity::odd_in_both;
+    const bool odd_y = parity == Parity::odd_in_y || parity == Parity::odd_in_both;
+    for (int j = 0; j < ny; ++j)
+      fill_row_ends(field.row(j), nx, mesh, odd_x);
+    const Boundary bottom = mesh.side(Edge::bottom), top = mesh.side(Edge::top);
+    for (int layer = 1; layer <= ghost_layers; ++layer)
+      for (const bool low : {true, false})
+      {
+        const int j = low ? -layer : ny - 1 + layer;
+        const Boundary boundary = low ? bottom : top;
+        const T *source = field.row(source_index(j, ny, bottom, top));
+        const T *border = field.row(low ? 0 : ny - 1);
+        T *ghost = field.row(j);
+        for (int i = -ghost_layers; i < nx + ghost_layers; ++i)
+          ghost[i] = continued(source[i], border[i], boundary, odd_y);
+      }
+  }
+
+  template void fill_ghosts(Field<double> &, const Mesh &, Parity);
+  template void fill_ghosts(Field<float> &, const Mesh &, Parity);
+
+  double weighted_sum(const Field<double> &field, const Mesh &mesh)
+  {
+    double sum = 0., lost = 0.; // Neumaier's compensated sum
+    for (int j = 0; j < mesh.nodes[1]; ++j)
+      for (int i = 0; i < mesh.nodes[0]; ++i)
+      {
+        const double term = mesh.weight(i, j) * field(i, j), next = sum + term;
+        lost += std::abs(sum) >= std::abs(term) ? (sum - next) + term : (term - next) + sum;
+        sum = next;
+      }
+    return sum + lost;
+  }
+} // namespace medium
