@@ -1,0 +1,161 @@
+#include "scene/expression.h"
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <muParser.h>
+
+#include "scene/reader.h"
+
+namespace scene
+{
+  namespace
+  {
+    constexpr double pi = 3.14159265358979323846;
+
+    // Rises from 0 to 1 over T with two continuous derivatives.
+    double smooth(const double t, const double T)
+    {
+      if (T <= 0. || t >= T)
+        return t > 0. ? 1. : 0.;
+      const double s = t <= 0. ? 0. : t / T;
+      return s * s * s * (10. + s * (-15. + 6. * s));
+    }
+
+    // The integral of smooth() over time: s^6 - 3 s^5 + 5/2 s^4, times T; then a straight line.
+    double ramp(const double t, const double T)
+    {
+      if (t <= 0.)
+        return 0.;
+      if (T <= 0.)
+        return t;
+      const double s = t / T;
+      return s >= 1. ? t - 0.5 * T : T * s * s * s * s * (2.5 + s * (-3. + s));
+    }
+
+    [[noreturn]] void refuse(const Expression &expression, const std::string &cause)
+    {
+      throw BadScene(expression.place.file + ":" + std::to_string(expression.place.line) + ": " +
+                     expression.place.key + ": \"" + expression.text +
+                     "\" is not an expression: " + cause +
+                     "\n  allowed: numbers, X, Y (initial position), x, y (current position), t, "
+                     "pi, + - * / ^ ( ), sin, cos, exp, sqrt, abs, min, max, a < b ? c : d, "
+                     "smooth(t, T), ramp(t, T)");
+    }
+
+    // muParser would let an expression write to its variables: "x = 3" must not be accepted.
+    bool assigns(const std::string &text)
+    {
+      for (std::size_t i = 0; i < text.size(); ++i)
+        if (text[i] == '=')
+        {
+          const bool pair = i + 1 < text.size() && text[i + 1] == '=';
+          const bool after_comparison =
+              i > 0 && (text[i - 1] == '<' || text[i - 1] == '>' || text[i - 1] == '!');
+          if (!pair && !after_comparison)
+            return true;
+          i += pair ? 1 : 0;
+        }
+      return false;
+    }
+  } // namespace
+
+  struct Function::Compiled
+  {
+    Expression expression;
+    mu::Parser parser;
+    Argument argument; // muParser reads the variables from here
+    bool constant = true, timed = false;
+    double value = 0.; // of a constant
+
+    explicit Compiled(const Expression &e) : expression(e)
+    {
+      if (assigns(e.text))
+        refuse(e, "it assigns to a variable");
+      try
+      {
+        define_names();
+        parser.SetExpr(e.text);
+        const auto used = parser.GetUsedVar();
+        constant = used.empty();
+        timed = used.count("t") > 0;
+        int results = 0;
+        const double first = parser.Eval(results)[0];
+        if (results != 1)
+          refuse(e, "it is a list of " + std::to_string(results) + " values");
+        value = constant ? first : 0.;
+      }
+      catch (const mu::ParserError &error)
+      {
+        refuse(e, error.GetMsg());
+      }
+      if (constant && !std::isfinite(value))
+        refuse(e, "its value is not finite");
+    }
+
+    void define_names()
+    {
+      parser.DefineConst("pi", pi);
+      parser.DefineVar("X", &argument.X[0]);
+      parser.DefineVar("Y", &argument.X[1]);
+      parser.DefineVar("x", &argument.x[0]);
+      parser.DefineVar("y", &argument.x[1]);
+      parser.DefineVar("t", &argument.t);
+      parser.DefineFun("smooth", smooth);
+      parser.DefineFun("ramp", ramp);
+    }
+  };
+
+  Function::Function(const Expression &expression)
+      : compiled(std::make_unique<Compiled>(expression))
+  {
+  }
+
+  // The parser keeps pointers to its variables: a copy compiles the text anew, with its own.
+  Function::Function(const Function &other)
+      : compiled(std::make_unique<Compiled>(other.compiled->expression))
+  {
+  }
+
+  Function::Function(Function &&) noexcept = default;
+
+  Function &Function::operator=(Function other)
+  {
+    std::swap(compiled, other.compiled);
+    return *this;
+  }
+
+  Function::~Function() = default;
+
+  double Function::operator()(const Argument &argument) const
+  {
+    if (compiled->constant)
+      return compiled->value;
+    compiled->argument = argument;
+    return compiled->parser.Eval();
+  }
+
+  bool Function::is_constant() const
+  {
+    return compiled->constant;
+  }
+
+  bool Function::depends_on_time() const
+  {
+    return compiled->timed;
+  }
+
+  double time_derivative(const Function &f, const Argument &argument, const double h)
+  {
+    if (!f.depends_on_time())
+      return 0.;
+    const auto at = [&](const double shift)
+    {
+      Argument shifted = argument;
+      shifted.t += shift;
+      return f(shifted);
+    };
+    return (8. * (at(h) - at(-h)) - (at(2. * h) - at(-2. * h))) / (12. * h);
+  }
+} // namespace scene

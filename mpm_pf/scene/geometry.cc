@@ -1,0 +1,149 @@
+#include "scene/geometry.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "scene/reader.h"
+
+namespace scene
+{
+  namespace
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+
+    template <class... F>
+    struct Overloaded : F...
+    {
+      using F::operator()...;
+    };
+    template <class... F>
+    Overloaded(F...) -> Overloaded<F...>;
+
+    [[noreturn]] void refuse(const Place &place)
+    {
+      throw BadScene(place.file + ":" + std::to_string(place.line) +
+                     ": [[body]] the recorded outline has not been read yet: its polygon must "
+                     "replace it first (record/outline_source.h)");
+    }
+
+    double distance_to_segment(const Point &p, const Point &a, const Point &b)
+    {
+      const Point edge = b - a;
+      const double length2 = edge.squaredNorm();
+      const double s = length2 > 0. ? std::clamp((p - a).dot(edge) / length2, 0., 1.) : 0.;
+      return (p - a - s * edge).norm();
+    }
+
+    double distance_to_rectangle(const Rectangle &r, const Point &p)
+    {
+      const Point half = 0.5 * r.size, centre = r.corner + half;
+      const Point outside = (p - centre).cwiseAbs() - half; // negative inside
+      return -(outside.cwiseMax(0.).norm() + std::min(outside.maxCoeff(), 0.));
+    }
+
+    // Nearest edge of any outline; the sign by the even-odd rule: crossings of a ray to the right.
+    double distance_to_polygon(const Polygon &polygon, const Point &p)
+    {
+      double nearest = infinity;
+      bool inside = false;
+      for (const Polyline &line : polygon.outlines)
+        for (std::size_t i = 0; i < line.size(); ++i)
+        {
+          const Point &a = line[i], &b = line[(i + 1) % line.size()];
+          nearest = std::min(nearest, distance_to_segment(p, a, b));
+          if ((a[1] > p[1]) != (b[1] > p[1]) &&
+              p[0] < a[0] + (b[0] - a[0]) * (p[1] - a[1]) / (b[1] - a[1]))
+            inside = !inside;
+        }
+      return inside ? nearest : -nearest;
+    }
+
+    Box box_of(const Body &body)
+    {
+      const auto around = [](const Point &centre, const double radius) {
+        return Box{centre.array() - radius, centre.array() + radius};
+      };
+      return std::visit(Overloaded{[](const Rectangle &r) {
+                                     return Box{r.corner, r.corner + r.size};
+                                   },
+                                   [&](const Disc &d) { return around(d.centre, d.radius); },
+                                   [&](const Ring &r) { return around(r.centre, r.outer_radius); },
+                                   [](const Polygon &polygon)
+                                   {
+                                     Box box{Point::Constant(infinity), Point::Constant(-infinity)};
+                                     for (const Polyline &line : polygon.outlines)
+                                       for (const Point &p : line)
+                                         box = {box.lower.cwiseMin(p), box.upper.cwiseMax(p)};
+                                     return box;
+                                   },
+                                   [&](const RecordedOutline &) -> Box { refuse(body.place); }},
+                        body.shape);
+    }
+  } // namespace
+
+  double signed_distance(const Body &body, const Point &p)
+  {
+    return std::visit(
+        Overloaded{[&](const Rectangle &r) { return distance_to_rectangle(r, p); },
+                   [&](const Disc &d) { return d.radius - (p - d.centre).norm(); },
+                   [&](const Ring &r)
+                   {
+                     const double radius = (p - r.centre).norm();
+                     return std::min(r.outer_radius - radius, radius - r.inner_radius);
+                   },
+                   [&](const Polygon &polygon) { return distance_to_polygon(polygon, p); },
+                   [&](const RecordedOutline &) -> double { refuse(body.place); }},
+        body.shape);
+  }
+
+  double signed_distance(const std::vector<Body> &bodies, const Point &p)
+  {
+    double largest = -infinity;
+    for (const Body &body : bodies)
+      largest = std::max(largest, signed_distance(body, p));
+    return largest;
+  }
+
+  Box bounding_box(const std::vector<Body> &bodies)
+  {
+    Box box{Point::Constant(infinity), Point::Constant(-infinity)};
+    for (const Body &body : bodies)
+    {
+      const Box own = box_of(body);
+      box = {box.lower.cwiseMin(own.lower), box.upper.cwiseMax(own.upper)};
+    }
+    return box;
+  }
+
+  double signed_area(const Polyline &line)
+  {
+    double twice = 0.;
+    for (std::size_t i = 0; i < line.size(); ++i)
+    {
+      // Relative to the first vertex: no cancellation far from the origin.
+      const Point a = line[i] - line[0], b = line[(i + 1) % line.size()] - line[0];
+      twice += a[0] * b[1] - a[1] * b[0];
+    }
+    return 0.5 * twice;
+  }
+
+  bool contains(const Where &where, const Box &bodies_box, const Point &X, const double tolerance)
+  {
+    return std::visit(
+        Overloaded{[&](const Edge edge)
+                   {
+                     const int axis = edge == Edge::left || edge == Edge::right ? 0 : 1;
+                     const bool lower = edge == Edge::left || edge == Edge::bottom;
+                     const double side = lower ? bodies_box.lower[axis] : bodies_box.upper[axis];
+                     return std::abs(X[axis] - side) <= tolerance;
+                   },
+                   [&](const Segment &s) { return distance_to_segment(X, s.a, s.b) <= tolerance; },
+                   [&](const Box &box)
+                   {
+                     return (X.array() >= box.lower.array() - tolerance).all() &&
+                            (X.array() <= box.upper.array() + tolerance).all();
+                   }},
+        where);
+  }
+} // namespace scene

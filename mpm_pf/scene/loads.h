@@ -1,0 +1,57 @@
+// What holds, pulls and presses the bodies: supports, tractions, body force, walls.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "scene/domain.h"
+
+namespace scene
+{
+  /// Which material is meant, by its initial position: the part of the outline on a side of the
+  /// bodies' common bounding box, the part of the outline on a segment, or all material inside a
+  /// box (a grip).
+  using Where = std::variant<Edge, Segment, Box>;
+
+  struct Support
+  {
+    std::string name; // default: the word after `on`
+    Where where;
+    std::array<std::optional<Expression>, 2> displacement; // empty: this component is free
+    Place place;
+  };
+
+  struct Traction
+  {
+    std::string name;
+    Where where;               // an edge or a segment
+    VectorExpression traction; // force per deformed length and unit depth
+    Place place;
+  };
+
+  struct BodyForce
+  {
+    VectorExpression acceleration;
+    Place place;
+  };
+
+  enum class WallGrip
+  {
+    grip,
+    slip
+  };
+  struct Wall
+  {
+    Edge side;
+    double speed = 0.;  // inward
+    double travel = 0.; // total inward travel at which the wall stops
+    double start_distance =
+        8.; // gap to phi = 0 at which it starts (in W0); negative: starts at time `start_time`
+    std::optional<double> start_time;
+    double ramp = 0.; // time over which the speed rises smoothly
+    WallGrip grip = WallGrip::grip;
+    Place place;
+  };
+} // namespace scene

@@ -1,0 +1,118 @@
+// The outline of a union of bodies: each body as a polygon (curves subdivided), joined by
+// Boost.Geometry, and all edges subdivided to the wanted spacing.
+#include <cmath>
+#include <utility>
+
+#include <boost/geometry.hpp>
+#include <boost/geometry/geometries/point_xy.hpp>
+#include <boost/geometry/geometries/polygon.hpp>
+
+#include "scene/geometry.h"
+
+namespace scene
+{
+  namespace
+  {
+    namespace bg = boost::geometry;
+    using Vertex = bg::model::d2::point_xy<double>;
+    using Area = bg::model::polygon<Vertex, false, false>; // counter-clockwise, not closed
+    using Areas = bg::model::multi_polygon<Area>;
+
+    Polyline circle(const Point &centre, const double radius, const double spacing)
+    {
+      constexpr double turn = 6.28318530717958647692;
+      const int n = std::max(16, 4 * static_cast<int>(std::ceil(turn * radius / spacing / 4.)));
+      Polyline line(n);
+      for (int i = 0; i < n; ++i)
+        line[i] = centre + radius * Point(std::cos(turn * i / n), std::sin(turn * i / n));
+      return line;
+    }
+
+    std::vector<Polyline> outlines_of(const Body &body, const double spacing)
+    {
+      if (const auto *r = std::get_if<Rectangle>(&body.shape))
+        return {{r->corner, r->corner + Point(r->size[0], 0.), r->corner + r->size,
+                 r->corner + Point(0., r->size[1])}};
+      if (const auto *d = std::get_if<Disc>(&body.shape))
+        return {circle(d->centre, d->radius, spacing)};
+      if (const auto *r = std::get_if<Ring>(&body.shape))
+        return {circle(r->centre, r->outer_radius, spacing),
+                circle(r->centre, r->inner_radius, spacing)};
+      if (const auto *polygon = std::get_if<Polygon>(&body.shape))
+        return polygon->outlines;
+      bounding_box({body}); // throws for an outline that has not been read yet
+      return {};
+    }
+
+    Areas areas_of(const Polyline &line)
+    {
+      Area area;
+      for (const Point &p : line)
+        bg::append(area.outer(), Vertex(p[0], p[1]));
+      bg::correct(area);
+      return {area};
+    }
+
+    // One area, unlike none, passes unchanged: Boost would round its vertices for nothing.
+    template <class Join>
+    Areas joined(const std::vector<Areas> &parts, const Join &join)
+    {
+      Areas sum;
+      for (const Areas &part : parts)
+      {
+        Areas next;
+        if (sum.empty())
+          next = part;
+        else
+          join(sum, part, next);
+        sum = std::move(next);
+      }
+      return sum;
+    }
+
+    // Even-odd rule: an outline inside another one is a hole, one inside a hole an island.
+    Areas areas_of(const Body &body, const double spacing)
+    {
+      Areas sum;
+      for (const Polyline &line : outlines_of(body, spacing))
+      {
+        Areas next;
+        bg::sym_difference(sum, areas_of(line), next);
+        sum = std::move(next);
+      }
+      return sum;
+    }
+
+    template <class Ring>
+    Polyline subdivided(const Ring &ring, const double spacing)
+    {
+      Polyline line;
+      for (std::size_t i = 0; i < ring.size(); ++i)
+      {
+        const Vertex &v = ring[i], &w = ring[(i + 1) % ring.size()];
+        const Point a(v.x(), v.y()), b(w.x(), w.y());
+        const int parts = std::max(1, static_cast<int>(std::ceil((b - a).norm() / spacing - 1e-9)));
+        for (int k = 0; k < parts; ++k)
+          line.push_back(a + (b - a) * (static_cast<double>(k) / parts));
+      }
+      return line;
+    }
+  } // namespace
+
+  std::vector<Polyline> outline(const std::vector<Body> &bodies, const double spacing)
+  {
+    std::vector<Areas> parts;
+    for (const Body &body : bodies)
+      parts.push_back(areas_of(body, spacing));
+    const Areas sum =
+        joined(parts, [](const Areas &a, const Areas &b, Areas &both) { bg::union_(a, b, both); });
+    std::vector<Polyline> lines;
+    for (const Area &area : sum)
+    {
+      lines.push_back(subdivided(area.outer(), spacing));
+      for (const auto &hole : area.inners())
+        lines.push_back(subdivided(hole, spacing));
+    }
+    return lines;
+  }
+} // namespace scene
