@@ -1,0 +1,125 @@
+// The solid by the explicit material point method: Eqs. (4)-(6), plane strain with sigma_zz kept.
+//
+//   rho dv/dt = div sigma + rho b                                              Eq. (4)
+//
+// Points carry mass, velocity and stress; the domain's square cells serve as the grid on which
+// Eq. (4) is solved. What runs here differs from the paper's uGIMP + FLIP, which locks when coarse
+// and tears when fine: quadratic B-splines made interpolating where material is held, an affine
+// transfer, and cell-averaged volumetric strain rates with relaxed pressures (see
+// shape_functions.h, transfer.h, anti_locking.h). This header is all that the world, the recorder
+// and the time loop need; the parts are in the other headers of this room.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "record/writer.h"
+#include "scene/scene.h"
+
+namespace solid
+{
+  using scene::Point;
+
+  /// Numerical trouble: step, time and place are in the message and at hand. Exit code 3.
+  struct Trouble : std::runtime_error
+  {
+    Trouble(const std::string &cause, long step, double time, const Point &place);
+    long step;
+    double time;
+    Point place;
+  };
+
+  struct Solid; // everything that moves: defined in body.h, needed by this room only
+  struct Deleter
+  {
+    void operator()(Solid *) const;
+  };
+  using Owner = std::unique_ptr<Solid, Deleter>;
+
+  /// Points, grid, supports, loads and tracers of a scene with [solid]. `threads`: OpenMP threads
+  /// to use (the bits do not depend on it). Throws scene::BadScene: cells not square, no point in a
+  /// body, a support or traction that touches nothing, `mach` without any motion to refer it to.
+  Owner make_solid(const scene::Scene &, int threads = 1);
+
+  // --- moving ------------------------------------------------------------------------------------
+
+  /// Largest stable step now: step_fraction dx / (c_p + largest speed of a point or support).
+  double stable_step(const Solid &);
+
+  /// Displacement over a call divided by its duration, on the nodes of the domain, x fastest,
+  /// (cells[0] + 1) x (cells[1] + 1). mass: time mean over the call; 0 where no material came.
+  struct NodalVelocity
+  {
+    std::vector<double> x, y, mass;
+  };
+
+  /// Move by dt, in as many equal steps as the limit asks. If `mean` is given it is filled with the
+  /// mean nodal velocity. Throws Trouble: not finite, energy from nothing, a point out of the mesh
+  /// or turned inside out.
+  void advance(Solid &, double dt, NodalVelocity *mean = nullptr);
+
+  double time(const Solid &);
+  long steps(const Solid &);  // taken so far, a restart included
+  long points(const Solid &); // material points
+  long cells(const Solid &);  // grid cells with nodes in use
+  /// Bytes: "points" (state), "grid", "scratch" (sorting and the like).
+  std::map<std::string, double> memory(const Solid &);
+  /// Seconds of CPU by part: "points to nodes", "nodes", "nodes to points", "sorting".
+  std::vector<record::Profile::Part> profile(const Solid &);
+  /// density (as used, scaled if `mach` was given), density_scale, wave_speed, reference_speed,
+  /// mach.
+  std::map<std::string, double> numbers(const Solid &);
+
+  // --- observing: every value in the scene's units, stresses are Cauchy
+  // -----------------------------
+
+  /// One row of `of` (names of scene/quantities.h) per sample. Stresses, strains, yielded,
+  /// jacobian: area-weighted mean over the square bin around the position (each point a square of
+  /// its area); displacement and velocity: linear least squares of the points around. NaN where no
+  /// material is. In the material frame positions are initial ones.
+  record::LineSample sample_line(const Solid &, const scene::LineProbe &,
+                                 const std::vector<std::string> &of);
+  /// One row; as a line of one position.
+  std::vector<double> sample_point(const Solid &, const scene::PointProbe &,
+                                   const std::vector<std::string> &of);
+  /// One row: means weighted with current area over all material or over that which started in the
+  /// box; "area" is the sum. NaN if the region holds no point.
+  std::vector<double> region_means(const Solid &, const scene::RegionProbe &,
+                                   const std::vector<std::string> &of);
+  /// Material outline: closed polylines through the tracers.
+  std::vector<scene::Polyline> material_outline(const Solid &);
+  /// The points with the fields `of` (empty: all of scene/quantities.h), and initial_x, initial_y.
+  record::Snapshot snapshot(const Solid &, const std::vector<std::string> &of);
+
+  /// What one support has done. impulse: time integral of the force which it exerts on the material
+  /// since the start (so any two samples give their mean force); force: its mean over the last call
+  /// of advance; displacement: of the support itself, at the middle of what it holds.
+  struct Reaction
+  {
+    Point impulse = Point::Zero(), force = Point::Zero(), displacement = Point::Zero();
+  };
+  /// Throws std::out_of_range for a name that no support has.
+  Reaction reaction(const Solid &, const std::string &support);
+
+  /// Columns for a HistoryProbe, always in the same order: kinetic_energy, elastic_energy,
+  /// plastic_dissipation, external_work, energy_balance (work + start - the three before),
+  /// momentum_x, momentum_y, area, mass, largest_speed, kinetic_to_internal.
+  struct History
+  {
+    record::Columns columns;
+    std::vector<double> row;
+  };
+  History history(const Solid &);
+
+  // --- going on later
+  // ------------------------------------------------------------------------------
+
+  /// Full state, exact bits; put into a solid made from the same scene it continues to the same
+  /// bits.
+  using Checkpoint = std::map<std::string, std::vector<double>>;
+  Checkpoint checkpoint(const Solid &);
+  void restore(Solid &, const Checkpoint &); // throws std::runtime_error if it is of another scene
+} // namespace solid
