@@ -35,8 +35,10 @@ namespace record
     ~Reader();
 
     std::string status() const;
-    std::string attribute(const std::string &name) const; // "" if absent
-    double number(const std::string &name) const;         // NaN if absent
+    std::string attribute(const std::string &name) const; // of the file or provenance; "" if absent
+    double number(const std::string &name) const;         // of the file or profile; NaN if absent
+    Provenance provenance() const;
+    std::string scene_text() const; // the merged TOML
     std::vector<std::string> tables() const, lines() const, outlines() const, snapshots() const;
     /// Throw std::runtime_error listing the names present if there is none of that name.
     Table table(const std::string &name) const;

@@ -2,18 +2,29 @@
 // ParaView.
 //
 // Layout (read by record/reader.h, verify and postprocess; nothing else needs to know HDF5):
-//   /                     attributes: format, program, status ("running", "complete", "failed:
-//   ..."), scene hash /provenance           attributes: see provenance.h; dataset scene (the merged
-//   TOML text) /tables/<name>        attribute columns, units;      time[n], values[n][k]
-//   (histories, reactions, means) /lines/<name>         attribute columns, units;      time[n],
-//   position[n][m][2], values[n][m][k]  (NaN = missing) /outlines/<name>/<i>  attribute time;
-//   offset[c+1], vertex[v][2]   (closed polylines) /snapshots/<name>/<i> attribute time, kind; see
-//   Snapshot /profile              part[k], wall_s[k], cpu_s[k], calls[k]; attributes
-//   peak_rss_bytes, steps, cells, points ...
+//
+//   /                        attributes: format, program, status ("running", "complete",
+//                            "failed: ..."), title, scene_hash, scene_file, and the solver's own
+//   /provenance              attributes: see provenance.h; dataset scene (the merged TOML text)
+//   /tables/<name>           attributes columns, units; time[n], values[n][k]
+//                            (histories, reactions, means)
+//   /lines/<name>            attributes columns, units; time[n], position[n][m][2],
+//                            values[n][m][k], NaN = missing
+//   /outlines/<name>/<i>     attribute time; offset[c+1], vertex[v][2]: curve j has the vertices
+//                            offset[j] .. offset[j+1]-1 and is closed
+//   /snapshots/<name>/<i>    attributes time, kind; fields/<quantity>
+//                grid:       x[nx], y[ny]; attributes origin, spacing; fields [ny][nx]
+//                points:     vertex[n][2], connectivity[n][1] (0, 1, 2 ...); fields [n]
+//                cells:      vertex[v][2], connectivity[n][4]; fields [n]
+//   /profile                 part[k], wall_s[k], cpu_s[k], calls[k]; attributes steps, cells,
+//                            points, peak_rss_bytes ...
+//
 // The file is written as <path>.part and renamed by finish(): a crash never leaves a half file
-// under the final name.
+// under the final name. Rows wait in memory and reach the file in flush(), which opens and closes
+// it: a kill between two flushes leaves a whole .part, which a resumed run goes on with.
 #pragma once
 
+#include <array>
 #include <map>
 #include <memory>
 #include <string>
@@ -73,13 +84,25 @@ namespace record
   class Writer
   {
   public:
-    /// Opens <path>.part. Throws if `path` exists and `force` is false, or if it cannot be written.
+    /// Opens <path>.part. Throws std::runtime_error if `path` exists and `force` is false, or if it
+    /// cannot be written.
     Writer(const std::string &path, const Provenance &, const scene::Scene &, bool force);
+    /// Goes on with the <path>.part of an interrupted run from a checkpoint at `time`: rows,
+    /// outlines and snapshots later than that are forgotten. Call flush() before saving a
+    /// checkpoint, so that all up to its time is there. Throws std::runtime_error if there is no
+    /// such file or it belongs to another scene.
+    struct Resume
+    {
+      double time = 0.;
+    };
+    Writer(const std::string &path, const Provenance &, const scene::Scene &, Resume);
     ~Writer(); // an unfinished record stays <path>.part
     Writer(const Writer &) = delete;
     Writer &operator=(const Writer &) = delete;
 
-    /// Tables and lines are declared by their first call; later calls must have the same columns.
+    /// Tables and lines are declared by their first call; later calls must have the same columns
+    /// and, for lines, as many positions. Throw std::invalid_argument if they have not, if a
+    /// snapshot's arrays do not fit its kind, or if a name is empty or holds '/'.
     void table(const std::string &name, const Columns &, double time,
                const std::vector<double> &row);
     void line(const std::string &name, const Columns &, double time, const LineSample &);
@@ -88,9 +111,11 @@ namespace record
     void attribute(const std::string &name, const std::string &value);
     void attribute(const std::string &name, double value);
 
-    /// After this the rows so far survive a kill (HDF5 flush).
+    /// After this the rows so far survive a kill. Called by itself when much is waiting, and with
+    /// every snapshot. Throws std::runtime_error (disk full and the like).
     void flush();
-    /// Writes profile and status, the XDMF file beside it, and renames to the final name.
+    /// Writes profile and status, the XDMF file beside it, and renames to the final name. Nothing
+    /// may be recorded after it.
     void finish(const Profile &, const std::string &status = "complete");
 
   private:

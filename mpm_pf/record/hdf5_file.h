@@ -1,0 +1,87 @@
+// A thin RAII layer over the HDF5 C API: handles that close themselves, errors that are exceptions.
+//
+// Private to this room: no other room includes hdf5.h. The parallel (openmpi) flavour is taken
+// because deal.II links it and two flavours in one process do not mix; files are nevertheless
+// opened by one process with the serial driver. Handles live only while something is read or
+// written, so that between two flushes the file on disk is whole and may be looked at.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <hdf5.h>
+
+namespace record::hdf5
+{
+  /// Owner of one HDF5 identifier of any kind.
+  class Handle
+  {
+  public:
+    /// Throws std::runtime_error("<doing>: <HDF5's own reason>") if `id` is negative.
+    Handle(hid_t id, const std::string &doing);
+    Handle(Handle &&) noexcept;
+    Handle(const Handle &) = delete;
+    Handle &operator=(const Handle &) = delete;
+    Handle &operator=(Handle &&) = delete;
+    ~Handle();
+    operator hid_t() const { return id; }
+
+  private:
+    hid_t id;
+  };
+
+  enum class Mode
+  {
+    read,
+    modify,
+    create // replaces what is there
+  };
+  /// Open a file. Throws std::runtime_error naming the path and HDF5's reason.
+  Handle open_file(const std::string &path, Mode);
+
+  /// The group `path` under `parent`; made, with its parents, if `create` says so.
+  Handle open_group(hid_t parent, const std::string &path, bool create = false);
+  bool exists(hid_t parent, const std::string &path); // every part of the path is looked up
+  std::vector<std::string> members(hid_t parent, const std::string &group); // [] if there is none
+  /// Full paths group/0, group/1 ... as far as they go.
+  std::vector<std::string> numbered(hid_t parent, const std::string &group);
+  void remove(hid_t parent, const std::string &path);
+
+  using Shape = std::vector<hsize_t>;
+
+  /// Write a whole dataset of `shape`, row-major; T is double, float, int, unsigned char. Large
+  /// ones are shuffled and deflated at the fastest level.
+  template <class T>
+  void write(hid_t parent, const std::string &name, const std::vector<T> &values,
+             const Shape &shape);
+  template <class T>
+  void write(hid_t parent, const std::string &name, const std::vector<T> &values)
+  {
+    write(parent, name, values, Shape{values.size()});
+  }
+  /// Read a whole dataset, and its shape if asked.
+  template <class T>
+  std::vector<T> read(hid_t parent, const std::string &name, Shape *shape = nullptr);
+
+  /// Datasets of doubles whose first extent grows: one row has the extents `row`.
+  void create_rows(hid_t parent, const std::string &name, const Shape &row);
+  void append_rows(hid_t parent, const std::string &name, const std::vector<double> &values);
+  void keep_rows(hid_t parent, const std::string &name, hsize_t count); // forget all after them
+
+  void write_text(hid_t parent, const std::string &name, const std::string &);
+  void write_texts(hid_t parent, const std::string &name, const std::vector<std::string> &);
+  std::string read_text(hid_t parent, const std::string &name);
+  std::vector<std::string> read_texts(hid_t parent, const std::string &name);
+
+  void set_attribute(hid_t object, const std::string &name, const std::string &);
+  void set_attribute(hid_t object, const std::string &name, const std::vector<std::string> &);
+  void set_attribute(hid_t object, const std::string &name, const std::vector<double> &);
+  void set_attribute(hid_t object, const std::string &name, double);
+  bool has_attribute(hid_t object, const std::string &name);
+  bool attribute_is_text(hid_t object, const std::string &name);
+  std::vector<std::string> attributes(hid_t object);
+  std::string text_attribute(hid_t object, const std::string &name);
+  std::vector<std::string> texts_attribute(hid_t object, const std::string &name);
+  std::vector<double> numbers_attribute(hid_t object, const std::string &name);
+  double number_attribute(hid_t object, const std::string &name);
+} // namespace record::hdf5

@@ -1,0 +1,58 @@
+// What waits in memory between two flushes of a record, and how it gets into the file.
+#pragma once
+
+#include <chrono>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "record/hdf5_file.h"
+#include "record/writer.h"
+
+namespace record
+{
+  /// Rows of one table or line that wait; `width` values a row, `positions` points a row (0:
+  /// table).
+  struct Series
+  {
+    Columns columns;
+    std::size_t positions = 0;
+    std::vector<double> time, position, values;
+    bool in_file = false;
+  };
+
+  struct TimedOutline
+  {
+    double time;
+    std::vector<Polyline> curves;
+  };
+
+  class Pending
+  {
+  public:
+    std::map<std::string, std::string> texts;
+    std::map<std::string, double> numbers;
+
+    /// Each returns whether so much waits, or so long, that it should be written.
+    bool add_row(const std::string &name, const Columns &, double time,
+                 const std::vector<double> &row);
+    bool add_line(const std::string &name, const Columns &, double time, const LineSample &);
+    bool add_outline(const std::string &name, double time, const std::vector<Polyline> &);
+
+    /// Append all that waits to the open file and forget it here.
+    void write(hid_t file);
+    void write_snapshot(hid_t file, const std::string &name, double time, const Snapshot &);
+
+    /// Take up an interrupted record: forget in `file` what is later than `time`, and learn what
+    /// is declared there.
+    void go_on(hid_t file, double time);
+
+  private:
+    std::map<std::string, Series> tables, lines;
+    std::map<std::string, std::vector<TimedOutline>> outlines;
+    std::size_t waiting_bytes = 0;
+    std::chrono::steady_clock::time_point last_write = std::chrono::steady_clock::now();
+
+    bool is_due(std::size_t added_bytes);
+  };
+} // namespace record
