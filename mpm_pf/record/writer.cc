@@ -131,7 +131,18 @@ namespace record
                             (start == provenance.end() ? std::string() : start->second) + "; ");
   }
 
-  Writer::~Writer() = default;
+  Writer::~Writer()
+  {
+    try
+    {
+      if (!file->finished)
+        flush();
+    }
+    catch (...)
+    {
+      // On the way out after another error: what could not be written is lost, as after a kill.
+    }
+  }
 
   void Writer::table(const std::string &name, const Columns &columns, const double time,
                      const std::vector<double> &row)
