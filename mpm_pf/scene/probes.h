@@ -67,10 +67,12 @@ namespace scene
     std::variant<LineProbe, PointProbe, RegionProbe, ReactionProbe, OutlineProbe, SnapshotProbe,
                  TipProbe, HistoryProbe>
         kind;
-    std::vector<std::string> of; // quantities; names in quantities.h
-    std::vector<double> times;   // explicit times, or
-    std::optional<double> every; // an interval; neither: the end time only (line, outline,
-                                 // snapshot), 200 samples (others)
+    std::vector<std::string> of;      // quantities; names in quantities.h
+    std::vector<double> times;        // explicit times, or
+    std::optional<double> every;      // an interval; neither: the end time only (line, outline,
+                                      // snapshot), 200 samples (others)
+    std::vector<double> compressions; // of a coupled scene with walls: at these relative
+                                      // compressions instead (0 is first contact)
     Place place;
   };
 } // namespace scene

@@ -1,0 +1,241 @@
+#include "expect.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "expect_take.h"
+#include "section.h"
+
+namespace verify
+{
+  namespace fs = std::filesystem;
+
+  const std::array<const char *, 14> norms{"relative",
+                                           "absolute",
+                                           "relative_max",
+                                           "max",
+                                           "relative_rms",
+                                           "rms",
+                                           "relative_l2",
+                                           "l2",
+                                           "relative_mean",
+                                           "mean",
+                                           "symmetric_difference",
+                                           "relative_symmetric_difference",
+                                           "hausdorff",
+                                           "value"};
+
+  const Run *Case::find_run(const std::string &wanted) const
+  {
+    for (const auto &run : runs)
+      if (run.name == wanted)
+        return &run;
+    return nullptr;
+  }
+
+  std::string scene_stem(const std::string &suite) { return suite == "full" ? "scene" : suite; }
+  std::string scene_file(const std::string &suite) { return scene_stem(suite) + ".toml"; }
+
+  bool takes_part(const std::string &folder, const std::string &suite)
+  {
+    return fs::exists(fs::path(folder) / scene_file(suite));
+  }
+
+  namespace
+  {
+    bool in_suite(Section &section, const std::string &suite)
+    {
+      const auto suites = section.texts("suites");
+      for (const auto &name : suites)
+        if (name != "smoke" && name != "quick" && name != "full")
+          section.complain("suites", "a suite is smoke, quick or full, not " + name);
+      return suites.empty() || std::find(suites.begin(), suites.end(), suite) != suites.end();
+    }
+
+    double default_time_limit(const std::string &suite)
+    {
+      return suite == "smoke" ? 60. : suite == "quick" ? 300. : 1800.;
+    }
+
+    Run read_run(Section &section, const Case &c)
+    {
+      Run run;
+      run.solver = section.required_text("solver");
+      if (run.solver != "mpm_pf" && run.solver != "fe_reference")
+        section.complain("solver", "the solver is \"mpm_pf\" or \"fe_reference\"");
+      run.name = section.text("name", run.solver);
+      run.scene = section.text("scene", c.scene);
+      if (!run.scene.empty() && !fs::exists(fs::path(c.folder) / run.scene))
+        section.complain("scene", fmt::format("there is no {} in the case folder", run.scene));
+      run.set = section.texts("set");
+      run.needs = section.texts("needs");
+      run.h = section.number("h");
+      run.threads = static_cast<int>(section.number("threads").value_or(1));
+      run.processes = static_cast<int>(section.number("processes").value_or(1));
+      run.time_limit_s =
+          section.number("time_limit_s").value_or(default_time_limit(c.suite));
+      run.expect_exit = static_cast<int>(section.number("expect_exit").value_or(0));
+      run.expect_output = section.text("expect_output");
+      return run;
+    }
+
+    void read_limit(Section &section, Check &check, const Constants &constants)
+    {
+      const auto limits = section.expressions("limit");
+      const bool interval = check.norm == "value" || !check.order_over.empty();
+      if (limits.size() != (interval ? 2u : 1u))
+        {
+          section.complain("limit",
+                           interval ? "this check needs limit = [low, high]: limits are two-sided"
+                                    : "this check needs limit = one number: its norm is unsigned");
+          return;
+        }
+      check.low = interval ? evaluate(limits[0], constants) : 0.;
+      check.high = evaluate(limits.back(), constants);
+      if (!(check.low <= check.high))
+        section.complain("limit", "the lower limit is above the upper one");
+    }
+
+    void read_uncertainty(Section &section, Check &check)
+    {
+      auto uncertainty = section.section("uncertainty");
+      if (!uncertainty)
+        return;
+      check.uncertain_take = uncertainty->texts("take");
+      check.uncertain_against = uncertainty->texts("against");
+      check.order_at_most = uncertainty->number("order_at_most").value_or(2.);
+      for (const auto &runs : {check.uncertain_take, check.uncertain_against})
+        if (runs.size() == 1 || runs.size() == 2)
+          section.complain("uncertainty", "an uncertainty needs at least three grids");
+      uncertainty->refuse_unused();
+    }
+
+    Check read_check(Section &section, const Case &c)
+    {
+      Check check;
+      check.name = section.required_text("name");
+      check.norm = section.required_text("norm");
+      check.source = section.required_text("source");
+      check.reason = section.required_text("reason");
+      check.unit = section.text("unit", "-");
+      check.scale = section.expression("scale").value_or("");
+      check.order_over = section.texts("order_over");
+      check.coverage = section.number("coverage");
+      check.drift = section.number("drift").value_or(0.02);
+      if (std::find(norms.begin(), norms.end(), check.norm) == norms.end())
+        section.complain("norm", "no such norm", fmt::format("one of {}", fmt::join(norms, ", ")));
+      if (check.order_over.size() == 1)
+        section.complain("order_over", "an order needs at least two runs");
+      if (auto take = section.section("take"))
+        check.take = read_take(*take, nullptr);
+      else
+        section.complain("", "the check has no `take`");
+      check.against = read_against(section, check);
+      read_uncertainty(section, check);
+      read_limit(section, check, c.constants);
+      return check;
+    }
+
+    void collect_runs(const Take &take, std::set<std::string> &names)
+    {
+      if (take.kind != Take::Kind::value)
+        names.insert(take.run);
+      for (const auto &inner : take.with)
+        collect_runs(inner, names);
+    }
+
+    /// Every run that a check names must be one of this suite, with its h where that is needed.
+    void check_names(Section &section, const Check &check, const Case &c)
+    {
+      std::set<std::string> names(check.order_over.begin(), check.order_over.end());
+      if (check.order_over.empty())
+        collect_runs(check.take, names);
+      if (check.against.kind == Against::Kind::run)
+        collect_runs(check.against.take, names);
+      std::set<std::string> graded(check.order_over.begin(), check.order_over.end());
+      graded.insert(check.uncertain_take.begin(), check.uncertain_take.end());
+      graded.insert(check.uncertain_against.begin(), check.uncertain_against.end());
+      names.insert(graded.begin(), graded.end());
+      for (const auto &name : names)
+        if (!c.find_run(name))
+          section.complain("take", fmt::format("suite {} has no run `{}`", c.suite, name),
+                           "list it as [[run]], or restrict the check with suites = [...]");
+        else if (graded.count(name) && !c.find_run(name)->h)
+          section.complain("take", fmt::format("run `{}` needs its mesh size `h`", name));
+    }
+
+    void read_constants(Section &file, Case &c)
+    {
+      auto constants = file.section("constants");
+      if (!constants)
+        return;
+      for (const auto &key : constants->keys())
+        if (const auto text = constants->expression(key))
+          try
+            {
+              c.constants.emplace_back(key, evaluate(*text, c.constants));
+            }
+          catch (const BadInput &error)
+            {
+              constants->complain(key, error.what());
+            }
+    }
+
+    void read_runs(Section &file, Case &c)
+    {
+      for (auto &section : file.sections("run"))
+        {
+          const bool here = in_suite(section, c.suite);
+          Run run = read_run(section, c);
+          section.refuse_unused();
+          if (here && c.find_run(run.name))
+            section.complain("name", fmt::format("two runs of suite {} are called `{}`", c.suite,
+                                                 run.name));
+          if (here)
+            c.runs.push_back(run);
+        }
+      if (c.runs.empty())
+        file.complain("", fmt::format("no [[run]] for suite {}", c.suite));
+      for (const auto &run : c.runs)
+        for (const auto &needed : run.needs)
+          if (!c.find_run(needed) || needed == run.name)
+            file.complain("run", fmt::format("run `{}` needs `{}`, which this suite does not have",
+                                             run.name, needed));
+    }
+  } // namespace
+
+  Case read_case(const std::string &folder, const std::string &suite)
+  {
+    Case c;
+    c.folder = folder;
+    c.name = fs::path(folder).filename();
+    c.suite = suite;
+    c.scene = scene_file(suite);
+    Section file((fs::path(folder) / "expect.toml").string(), suite);
+    c.title = file.required_text("title");
+    c.about = file.text("about");
+    read_constants(file, c);
+    read_runs(file, c);
+    std::set<std::string> names;
+    for (auto &section : file.sections("check"))
+      {
+        const bool here = in_suite(section, suite);
+        if (!here)
+          continue; // its by-suite values need not exist here
+        const Check check = read_check(section, c);
+        section.refuse_unused();
+        check_names(section, check, c);
+        if (!names.insert(check.name).second)
+          section.complain("name", fmt::format("two checks of suite {} are called `{}`", suite,
+                                               check.name));
+        c.checks.push_back(check);
+      }
+    file.refuse_unused();
+    file.throw_errors();
+    return c;
+  }
+} // namespace verify

@@ -1,0 +1,167 @@
+#include "expect_take.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace verify
+{
+  namespace
+  {
+    const std::vector<std::string> reductions{"max",   "min",  "max_abs", "mean",  "rms",     "first",
+                                              "last", "range", "slope",   "integral", "ripple"};
+    const std::vector<std::pair<std::string, Take::Kind>> kinds{
+        {"table", Take::Kind::table},       {"line", Take::Kind::line},
+        {"outline", Take::Kind::outline},   {"snapshot", Take::Kind::snapshot},
+        {"number", Take::Kind::number},     {"value", Take::Kind::value}};
+
+    /// Finds which kind of probe the section names; keeps the base's if it names none.
+    void read_kind(Section &section, Take &take, bool has_base)
+    {
+      int found = 0;
+      for (const auto &[key, kind] : kinds)
+        if (section.has(key))
+          {
+            ++found;
+            take.kind = kind;
+            take.probes.clear();
+            if (kind == Take::Kind::table && section.is_section(key))
+              {
+                auto tables = *section.section(key);
+                for (const auto &prefix : tables.keys())
+                  take.probes.push_back({prefix, tables.required_text(prefix)});
+              }
+            else
+              take.probes.push_back({"", section.text(key)});
+          }
+      if (found > 1 || (found == 0 && !has_base))
+        section.complain("", "a take names one of table, line, outline, snapshot, number, value");
+    }
+
+    void read_with(Section &section, Take &take)
+    {
+      auto with = section.section("with");
+      if (!with)
+        return;
+      take.with.clear();
+      take.with_names.clear();
+      for (const auto &name : with->keys())
+        if (auto inner = with->section(name))
+          {
+            take.with_names.push_back(name);
+            take.with.push_back(read_take(*inner, nullptr));
+          }
+    }
+
+    void check_needs(Section &section, const Take &take)
+    {
+      using Kind = Take::Kind;
+      if (take.kind == Kind::snapshot && take.reduce.empty())
+        section.complain("", "a snapshot needs `reduce`: max, min, mean, ...");
+      if (take.of.empty() &&
+          (take.kind == Kind::table || take.kind == Kind::line || take.kind == Kind::snapshot))
+        section.complain("", "the take does not say which quantity: `of` is missing");
+      if (take.kind == Kind::outline && take.of == "side" &&
+          (take.side.empty() || take.x.empty() == take.y.empty()))
+        section.complain("", "a side position needs side = \"left\" or \"right\" and y, or "
+                             "side = \"top\" or \"bottom\" and x");
+      if (!take.reduce.empty() &&
+          std::find(reductions.begin(), reductions.end(), take.reduce) == reductions.end())
+        section.complain("reduce", fmt::format("no such reduction: `{}`", take.reduce));
+      if (!take.between.empty() && take.between.size() != 2)
+        section.complain("between", "`between` is [from, to]");
+      if (!take.box.empty() && take.box.size() != 4)
+        section.complain("box", "`box` is [[x0, y0], [x1, y1]]");
+    }
+
+    bool gives_outline(const Take &take)
+    {
+      return take.kind == Take::Kind::outline && (take.of.empty() || take.of == "polygon");
+    }
+
+    void check_norm(Section &section, const Check &check)
+    {
+      const bool of_outlines = check.norm == "hausdorff" ||
+                               check.norm.find("symmetric_difference") != std::string::npos;
+      if (of_outlines != gives_outline(check.take))
+        section.complain("norm", of_outlines ? "this norm compares outlines"
+                                             : "outlines need symmetric_difference or hausdorff");
+      if ((check.norm == "value") != (check.against.kind == Against::Kind::nothing))
+        section.complain("norm", "`value` stands without `against`, every other norm with it");
+    }
+
+    Against read_against_table(Section &section, const Take &take)
+    {
+      Against against;
+      if (const auto formula = section.expression("formula"))
+        {
+          against.kind = Against::Kind::formula;
+          against.text = *formula;
+        }
+      else if (const auto number = section.expression("number"); number && !section.has("run"))
+        {
+          against.kind = Against::Kind::number;
+          against.text = *number;
+        }
+      else if (section.has("csv"))
+        {
+          against.kind = Against::Kind::csv;
+          against.text = section.text("csv");
+          against.take.of = section.required_text("of");
+          against.take.abscissa = section.text("abscissa", "time");
+          against.take.at = section.expression("at").value_or("");
+          against.take.between = section.expressions("between");
+          against.take.reduce = section.text("reduce");
+        }
+      else
+        {
+          against.kind = Against::Kind::run;
+          against.take = read_take(section, &take);
+        }
+      section.refuse_unused();
+      return against;
+    }
+  } // namespace
+
+  Take read_take(Section &section, const Take *base)
+  {
+    Take take = base ? *base : Take();
+    read_kind(section, take, base != nullptr);
+    const bool makes_value = take.kind == Take::Kind::value;
+    take.run = section.text("run", take.run);
+    take.of = section.expression("of").value_or(take.of);
+    take.abscissa = section.text("abscissa", take.abscissa);
+    take.reduce = section.text("reduce", take.reduce);
+    take.at = section.expression("at").value_or(take.at);
+    take.side = section.text("side", take.side);
+    take.x = section.expression("x").value_or(take.x);
+    take.y = section.expression("y").value_or(take.y);
+    if (section.has("between"))
+      take.between = section.expressions("between");
+    if (section.has("box"))
+      take.box = section.expressions("box");
+    if (makes_value)
+      read_with(section, take);
+    check_needs(section, take);
+    section.refuse_unused();
+    return take;
+  }
+
+  Against read_against(Section &section, const Check &check)
+  {
+    Against against;
+    if (section.is_text("against"))
+      {
+        if (section.text("against") == "zero")
+          against.kind = Against::Kind::zero;
+        else
+          section.complain("against", "`against` is a table, or \"zero\"");
+      }
+    else if (auto table = section.section("against"))
+      against = read_against_table(*table, check.take);
+    Check known = check;
+    known.against = against;
+    check_norm(section, known);
+    return against;
+  }
+} // namespace verify

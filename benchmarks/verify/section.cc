@@ -1,0 +1,298 @@
+#include "section.h"
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <set>
+
+#include <fmt/format.h>
+#include <toml.hpp>
+
+namespace verify
+{
+  namespace
+  {
+    const std::set<std::string> suites{"smoke", "quick", "full"};
+
+    std::size_t edit_distance(const std::string &a, const std::string &b)
+    {
+      std::vector<std::size_t> row(b.size() + 1);
+      for (std::size_t j = 0; j <= b.size(); ++j)
+        row[j] = j;
+      for (std::size_t i = 1; i <= a.size(); ++i)
+        {
+          std::size_t diagonal = row[0];
+          row[0] = i;
+          for (std::size_t j = 1; j <= b.size(); ++j)
+            {
+              const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+              diagonal = row[j];
+              row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
+            }
+        }
+      return row.back();
+    }
+
+    bool is_by_suite(const toml::value &value)
+    {
+      if (!value.is_table() || value.as_table().empty())
+        return false;
+      const auto &table = value.as_table();
+      return std::all_of(table.begin(), table.end(),
+                         [](const auto &entry) { return suites.count(entry.first) > 0; });
+    }
+
+    std::string number_text(const toml::value &value)
+    {
+      return value.is_integer() ? std::to_string(value.as_integer())
+                                : fmt::format("{}", value.as_floating());
+    }
+
+    void flatten(const toml::value &value, std::vector<std::string> &texts, bool &good)
+    {
+      if (value.is_array())
+        for (const auto &entry : value.as_array())
+          flatten(entry, texts, good);
+      else if (value.is_string())
+        texts.push_back(value.as_string().str);
+      else if (value.is_integer() || value.is_floating())
+        texts.push_back(number_text(value));
+      else
+        good = false;
+    }
+  } // namespace
+
+  struct Section::Node
+  {
+    toml::value value;
+    std::string suite;
+    std::shared_ptr<std::vector<std::string>> errors;
+    std::set<std::string> asked;
+
+    const toml::value *find(const std::string &key)
+    {
+      asked.insert(key);
+      const auto &table = value.as_table();
+      const auto found = table.find(key);
+      if (found == table.end())
+        return nullptr;
+      if (!is_by_suite(found->second))
+        return &found->second;
+      const auto &by_suite = found->second.as_table();
+      const auto entry = by_suite.find(suite);
+      return entry == by_suite.end() ? nullptr : &entry->second;
+    }
+    void complain(const toml::value &where, const std::string &message, const std::string &remedy)
+    {
+      errors->push_back(toml::format_error(message, where, remedy));
+    }
+  };
+
+  Section::Section(std::shared_ptr<Node> n) : node(std::move(n)) {}
+
+  Section::Section(const std::string &path, const std::string &suite)
+      : node(std::make_shared<Node>())
+  {
+    std::ifstream stream(path, std::ios::binary);
+    if (!stream)
+      throw BadInput(fmt::format("{}: cannot be read", path));
+    try
+      {
+        node->value = toml::parse(stream, path);
+      }
+    catch (const std::exception &error)
+      {
+        throw BadInput(error.what());
+      }
+    node->suite = suite;
+    node->errors = std::make_shared<std::vector<std::string>>();
+  }
+
+  bool Section::has(const std::string &key) { return node->find(key) != nullptr; }
+  bool Section::is_text(const std::string &key)
+  {
+    const auto *value = node->find(key);
+    return value && value->is_string();
+  }
+  bool Section::is_list(const std::string &key)
+  {
+    const auto *value = node->find(key);
+    return value && value->is_array();
+  }
+  bool Section::is_section(const std::string &key)
+  {
+    const auto *value = node->find(key);
+    return value && value->is_table();
+  }
+
+  std::string Section::required_text(const std::string &key)
+  {
+    if (!node->find(key))
+      complain("", fmt::format("the key `{}` is missing", key), "add " + key + " = \"...\"");
+    return text(key);
+  }
+
+  std::string Section::text(const std::string &key, const std::string &otherwise)
+  {
+    const auto *value = node->find(key);
+    if (!value)
+      return otherwise;
+    if (value->is_string())
+      return value->as_string().str;
+    node->complain(*value, fmt::format("`{}` must be a string", key), "");
+    return otherwise;
+  }
+
+  std::vector<std::string> Section::texts(const std::string &key)
+  {
+    const auto *value = node->find(key);
+    if (!value)
+      return {};
+    if (value->is_string())
+      return {value->as_string().str};
+    std::vector<std::string> result;
+    bool good = value->is_array();
+    if (good)
+      for (const auto &entry : value->as_array())
+        if (entry.is_string())
+          result.push_back(entry.as_string().str);
+        else
+          good = false;
+    if (!good)
+      node->complain(*value, fmt::format("`{}` must be a list of strings", key), "");
+    return result;
+  }
+
+  std::optional<double> Section::number(const std::string &key)
+  {
+    const auto *value = node->find(key);
+    if (!value)
+      return {};
+    if (value->is_integer())
+      return static_cast<double>(value->as_integer());
+    if (value->is_floating())
+      return value->as_floating();
+    node->complain(*value, fmt::format("`{}` must be a number", key), "");
+    return {};
+  }
+
+  std::optional<std::string> Section::expression(const std::string &key)
+  {
+    const auto texts = expressions(key);
+    if (texts.size() > 1)
+      complain(key, fmt::format("`{}` must be one number or expression", key));
+    return texts.empty() ? std::nullopt : std::optional<std::string>(texts.front());
+  }
+
+  std::vector<std::string> Section::expressions(const std::string &key)
+  {
+    const auto *value = node->find(key);
+    std::vector<std::string> result;
+    bool good = true;
+    if (value)
+      flatten(*value, result, good);
+    if (!good)
+      node->complain(*value, fmt::format("`{}` must hold numbers or expressions", key), "");
+    return result;
+  }
+
+  std::vector<std::string> Section::literals(const std::string &key)
+  {
+    const auto *value = node->find(key);
+    std::vector<std::string> result;
+    if (!value)
+      return result;
+    if (!value->is_array())
+      {
+        node->complain(*value, fmt::format("`{}` must be a list", key), "");
+        return result;
+      }
+    for (const auto &entry : value->as_array())
+      {
+        // width 0: on one line; toml11 keeps integers, strings and lists as they were written
+        std::string text = toml::format(entry, 1000000);
+        text.erase(std::remove(text.begin(), text.end(), '\n'), text.end());
+        result.push_back(text);
+      }
+    return result;
+  }
+
+  std::optional<Section> Section::section(const std::string &key)
+  {
+    const auto *value = node->find(key);
+    if (!value)
+      return {};
+    if (!value->is_table())
+      {
+        node->complain(*value, fmt::format("`{}` must be a table", key), "");
+        return {};
+      }
+    return Section(std::make_shared<Node>(Node{*value, node->suite, node->errors, {}}));
+  }
+
+  std::vector<Section> Section::sections(const std::string &key)
+  {
+    const auto *value = node->find(key);
+    std::vector<Section> result;
+    if (!value)
+      return result;
+    bool good = value->is_array();
+    if (good)
+      for (const auto &entry : value->as_array())
+        if (entry.is_table())
+          result.push_back(
+              Section(std::make_shared<Node>(Node{entry, node->suite, node->errors, {}})));
+        else
+          good = false;
+    if (!good)
+      node->complain(*value, fmt::format("write `{}` as [[{}]] sections", key, key), "");
+    return result;
+  }
+
+  std::vector<std::string> Section::keys() const
+  {
+    // toml11 keeps tables unordered; the line numbers put them back as they were written
+    std::multimap<std::uint_least32_t, std::string> by_line;
+    for (const auto &[key, value] : node->value.as_table())
+      by_line.emplace(value.location().line(), key);
+    std::vector<std::string> result;
+    for (const auto &[line, key] : by_line)
+      result.push_back(key);
+    return result;
+  }
+
+  void Section::complain(const std::string &key, const std::string &message,
+                         const std::string &remedy)
+  {
+    const auto *value = key.empty() ? nullptr : node->find(key);
+    node->complain(value ? *value : node->value, message, remedy);
+  }
+
+  void Section::refuse_unused()
+  {
+    for (const auto &[key, value] : node->value.as_table())
+      if (node->asked.count(key) == 0)
+        {
+          std::string nearest;
+          std::size_t distance = 4;
+          for (const auto &known : node->asked)
+            if (edit_distance(key, known) < distance)
+              {
+                distance = edit_distance(key, known);
+                nearest = known;
+              }
+          node->complain(value, fmt::format("the key `{}` is not known here", key),
+                         nearest.empty() ? "" : "did you mean `" + nearest + "`?");
+        }
+  }
+
+  void Section::throw_errors() const
+  {
+    if (node->errors->empty())
+      return;
+    std::string all;
+    for (const auto &error : *node->errors)
+      all += error + "\n";
+    throw BadInput(all);
+  }
+} // namespace verify

@@ -1,0 +1,18 @@
+// When a probe looks: the one rule that both solvers follow, so that their tables have the same
+// rows.
+#pragma once
+
+#include <vector>
+
+#include "scene/probes.h"
+
+namespace scene
+{
+  /// Sorted times of `probe` in [0, end]: its explicit times; or 0, every, 2 every, ... and the
+  /// end; with neither, the end alone for lines, outlines and snapshots, and 201 equal samples for
+  /// whatever is a history. Empty for a probe that looks at compressions instead.
+  std::vector<double> sample_times(const Probe &probe, double end);
+
+  /// Time between two samples of a probe at regular intervals; end/200 unless it says otherwise.
+  double sample_interval(const Probe &probe, double end);
+} // namespace scene
