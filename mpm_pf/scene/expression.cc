@@ -36,12 +36,7 @@ namespace scene
 
     [[noreturn]] void refuse(const Expression &expression, const std::string &cause)
     {
-      throw BadScene(expression.place.file + ":" + std::to_string(expression.place.line) + ": " +
-                     expression.place.key + ": \"" + expression.text +
-                     "\" is not an expression: " + cause +
-                     "\n  allowed: numbers, X, Y (initial position), x, y (current position), t, "
-                     "pi, + - * / ^ ( ), sin, cos, exp, sqrt, abs, min, max, a < b ? c : d, "
-                     "smooth(t, T), ramp(t, T)");
+      throw BadExpression(expression, cause);
     }
 
     // muParser would let an expression write to its variables: "x = 3" must not be accepted.
@@ -61,12 +56,20 @@ namespace scene
     }
   } // namespace
 
+  BadExpression::BadExpression(const Expression &expression, const std::string &why)
+      : BadScene(expression.place.file + ":" + std::to_string(expression.place.line) + ": " +
+                 expression.place.key + ": \"" + expression.text + "\" is no expression: " + why +
+                 "\n  allowed: " + allowed_in_expressions),
+        cause("\"" + expression.text + "\" is no expression: " + why)
+  {
+  }
+
   struct Function::Compiled
   {
     Expression expression;
     mu::Parser parser;
     Argument argument; // muParser reads the variables from here
-    bool constant = true, timed = false;
+    bool constant = true, timed = false, placed = false;
     double value = 0.; // of a constant
 
     explicit Compiled(const Expression &e) : expression(e)
@@ -80,6 +83,7 @@ namespace scene
         const auto used = parser.GetUsedVar();
         constant = used.empty();
         timed = used.count("t") > 0;
+        placed = used.size() > (timed ? 1u : 0u);
         int results = 0;
         const double first = parser.Eval(results)[0];
         if (results != 1)
@@ -144,6 +148,11 @@ namespace scene
   bool Function::depends_on_time() const
   {
     return compiled->timed;
+  }
+
+  bool Function::depends_on_position() const
+  {
+    return compiled->placed;
   }
 
   double time_derivative(const Function &f, const Argument &argument, const double h)

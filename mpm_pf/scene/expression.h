@@ -9,10 +9,25 @@
 
 #include <memory>
 
-#include "scene/scene.h"
+#include <string>
+
+#include "scene/domain.h"
+#include "scene/reader.h"
 
 namespace scene
 {
+  /// What an expression may be made of, for messages and the manual.
+  inline constexpr const char *allowed_in_expressions =
+      "numbers, X, Y (initial position), x, y (current position), t, pi, + - * / ^ ( ), sin, cos, "
+      "exp, sqrt, abs, min, max, a < b ? c : d, smooth(t, T), ramp(t, T)";
+
+  /// The text is no expression; what() says all, `cause` only why.
+  struct BadExpression : BadScene
+  {
+    std::string cause;
+    BadExpression(const Expression &, const std::string &cause);
+  };
+
   /// What an expression may depend on. Shapes: initial X and current x positions, length 2; time t.
   struct Argument
   {
@@ -24,7 +39,7 @@ namespace scene
   class Function
   {
   public:
-    /// Throws BadScene (file, line, what muParser says) if the text is not an expression of X, Y,
+    /// Throws BadExpression (file, line, what muParser says) if the text is not an expression of X, Y,
     /// x, y, t.
     explicit Function(const Expression &);
     Function(const Function &);
@@ -35,6 +50,7 @@ namespace scene
     double operator()(const Argument &) const;
     bool is_constant() const; // depends on nothing
     bool depends_on_time() const;
+    bool depends_on_position() const; // on any of X, Y, x, y
 
   private:
     struct Compiled;
