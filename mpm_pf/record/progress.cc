@@ -1,0 +1,86 @@
+#include "record/progress.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <ostream>
+
+#include <unistd.h>
+
+namespace record
+{
+  namespace
+  {
+    std::string printed(const char *format, const double a, const double b = 0.)
+    {
+      char text[64];
+      std::snprintf(text, sizeof text, format, a, b);
+      return text;
+    }
+
+    double seconds_since(const std::chrono::steady_clock::time_point then)
+    {
+      return std::chrono::duration<double>(std::chrono::steady_clock::now() - then).count();
+    }
+  } // namespace
+
+  Progress::Style Progress::style_of_stderr(const bool quiet)
+  {
+    return quiet ? Style::quiet : isatty(STDERR_FILENO) != 0 ? Style::terminal : Style::log;
+  }
+
+  Progress::Progress(std::ostream &out, const Style style, std::string what, const double begin,
+                     const double end)
+      : out(&out), style(style), what(std::move(what)), begin(begin), end(end)
+  {
+  }
+
+  std::string Progress::duration(const double seconds)
+  {
+    if (seconds < 9.95)
+      return printed("%.1f s", seconds);
+    const double whole = std::round(seconds);
+    if (whole < 60.)
+      return printed("%.0f s", whole);
+    if (whole < 3600.)
+      return printed("%.0f min %02.0f s", std::floor(whole / 60.), std::fmod(whole, 60.));
+    const double minutes = std::round(whole / 60.);
+    return printed("%.0f h %02.0f min", std::floor(minutes / 60.), std::fmod(minutes, 60.));
+  }
+
+  void Progress::update(const double time, const std::string &detail)
+  {
+    const double interval = style == Style::terminal ? 0.2 : 30.;
+    if (style == Style::quiet || seconds_since(last) < interval)
+      return;
+    last = Clock::now();
+    const double fraction = end > begin ? (time - begin) / (end - begin) : 1.;
+    std::string line = what + printed(": %5.1f %%  t = %g", 100. * fraction, time);
+    if (!detail.empty())
+      line += "  " + detail;
+    if (fraction > 0.)
+      line += "  left " + duration(seconds_since(start) * (1. - fraction) / fraction);
+    say(line);
+  }
+
+  void Progress::say(const std::string &line)
+  {
+    if (style == Style::terminal)
+    {
+      *out << '\r' << line << std::string(length - std::min(length, line.size()), ' ');
+      length = line.size();
+    }
+    else
+      *out << line << '\n';
+    out->flush();
+  }
+
+  void Progress::finish(const std::string &outcome)
+  {
+    if (style == Style::quiet)
+      return;
+    say(what + ": " + outcome + " in " + duration(seconds_since(start)));
+    if (style == Style::terminal)
+      *out << '\n' << std::flush;
+  }
+} // namespace record

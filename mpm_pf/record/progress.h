@@ -1,0 +1,48 @@
+// Progress and estimated time left, on a stream that the program gives (libraries never print on
+// their own): one line rewritten in place on a terminal, one line per 30 s where it is none.
+#pragma once
+
+#include <chrono>
+#include <iosfwd>
+#include <string>
+
+namespace record
+{
+  class Progress
+  {
+  public:
+    enum class Style
+    {
+      terminal, // rewrite one line, at most five times a second
+      log,      // a line per 30 s
+      quiet     // nothing
+    };
+
+    /// Style for stderr: quiet if asked for, else by whether it is a terminal.
+    static Style style_of_stderr(bool quiet);
+
+    /// `what` opens every line, as in "mpm_pf shear"; `begin` to `end` is the simulated time to go
+    /// (begin > 0 for a resumed run: the rate counts from there).
+    Progress(std::ostream &, Style, std::string what, double begin, double end);
+
+    /// Say where the run is; cheap when it is not yet time for a line. `detail` is appended, as in
+    /// "step 1200".
+    void update(double time, const std::string &detail = "");
+    /// Last line: wall time taken and `outcome`.
+    void finish(const std::string &outcome = "done");
+
+    /// "1 h 02 min", "3 min 20 s", "12 s", "0.4 s".
+    static std::string duration(double seconds);
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    std::ostream *out;
+    Style style;
+    std::string what;
+    double begin, end;
+    Clock::time_point start = Clock::now(), last = start;
+    std::size_t length = 0; // of the line on the terminal, to wipe it
+
+    void say(const std::string &line);
+  };
+} // namespace record

@@ -1,0 +1,36 @@
+// Progress goes where it is sent and nowhere else.
+#include <sstream>
+
+#include <gtest/gtest.h>
+
+#include "record/progress.h"
+
+using record::Progress;
+
+TEST(Progress, PrintsDurationsForPeople)
+{
+  EXPECT_EQ(Progress::duration(0.44), "0.4 s");
+  EXPECT_EQ(Progress::duration(9.96), "10 s");
+  EXPECT_EQ(Progress::duration(59.7), "1 min 00 s");
+  EXPECT_EQ(Progress::duration(200.), "3 min 20 s");
+  EXPECT_EQ(Progress::duration(3599.9), "1 h 00 min");
+  EXPECT_EQ(Progress::duration(3720.), "1 h 02 min");
+}
+
+TEST(Progress, IsSilentWhenQuietAndRareInALog)
+{
+  std::ostringstream quiet, log;
+  Progress nothing(quiet, Progress::Style::quiet, "mpm_pf shear", 0., 1.);
+  Progress lines(log, Progress::Style::log, "mpm_pf shear", 0., 1.);
+  for (int k = 0; k <= 1000; ++k)
+  {
+    nothing.update(k / 1000.);
+    lines.update(k / 1000.);
+  }
+  EXPECT_EQ(log.str(), ""); // 30 s have not passed
+  nothing.finish();
+  lines.finish();
+  EXPECT_EQ(quiet.str(), "");
+  EXPECT_EQ(log.str().rfind("mpm_pf shear: done in ", 0), 0u);
+  EXPECT_EQ(log.str().back(), '\n');
+}

@@ -1,0 +1,167 @@
+// A run that was killed goes on as if it had not been: checkpoint and record together.
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "record/checkpoint.h"
+#include "record/reader.h"
+#include "record/writer.h"
+#include "scratch.h"
+
+namespace
+{
+  using namespace record;
+
+  scene::Scene scene_of_hash(const std::string &hash)
+  {
+    scene::Scene scene;
+    scene.file = "scene.toml";
+    scene.hash = hash;
+    return scene;
+  }
+
+  /// All that a run from `first` to `last` (steps) observes.
+  void observe(Writer &writer, const int first, const int last)
+  {
+    for (int k = first; k <= last; ++k)
+    {
+      const double t = 0.1 * k;
+      writer.table("energy", {{"kinetic"}, {"J"}}, t, {std::sin(t)});
+      writer.line("line", {{"phi"}, {"1"}}, t, {{{t, 0.}, {1., t}}, {std::cos(t), t}});
+      writer.outline("contour", t, {{{0., 0.}, {t, 0.}, {0., t}}});
+      Snapshot cloud;
+      cloud.vertex = {{t, t}};
+      cloud.fields["jacobian"] = {t};
+      writer.snapshot("fields", t, cloud);
+    }
+  }
+
+  void expect_equal(const Reader &a, const Reader &b)
+  {
+    EXPECT_EQ(a.table("energy").time, b.table("energy").time);
+    EXPECT_EQ(a.table("energy").rows, b.table("energy").rows);
+    EXPECT_EQ(a.line("line").time, b.line("line").time);
+    for (std::size_t k = 0; k < a.line("line").samples.size(); ++k)
+    {
+      EXPECT_EQ(a.line("line").samples[k].position, b.line("line").samples[k].position);
+      EXPECT_EQ(a.line("line").samples[k].values, b.line("line").samples[k].values);
+    }
+    EXPECT_EQ(a.outline("contour").time, b.outline("contour").time);
+    EXPECT_EQ(a.outline("contour").outlines, b.outline("contour").outlines);
+    ASSERT_EQ(a.snapshot_times("fields"), b.snapshot_times("fields"));
+    EXPECT_EQ(a.snapshot("fields", 14).vertex, b.snapshot("fields", 14).vertex);
+  }
+} // namespace
+
+TEST(ResumedRecord, EqualsAnUninterruptedOne)
+{
+  const Scratch scratch;
+  const scene::Scene scene = scene_of_hash("1");
+  {
+    Writer writer(scratch / "whole.h5", {}, scene, false);
+    observe(writer, 0, 20);
+    writer.finish({});
+  }
+  {
+    Writer writer(scratch / "killed.h5", {}, scene, false);
+    observe(writer, 0, 14); // the last checkpoint was after step 11
+  }
+  {
+    Writer writer(scratch / "killed.h5", {}, scene, Writer::Resume{0.1 * 11});
+    observe(writer, 12, 20);
+    writer.finish({});
+  }
+  expect_equal(Reader(scratch / "killed.h5"), Reader(scratch / "whole.h5"));
+  EXPECT_NE(Reader(scratch / "killed.h5").attribute("resumed").find("at t = 1.1"),
+            std::string::npos);
+}
+
+TEST(ResumedRecord, KeepsTheColumnsDeclaredBefore)
+{
+  const Scratch scratch;
+  {
+    Writer writer(scratch / "a.h5", {}, scene_of_hash("1"), false);
+    observe(writer, 0, 3);
+  }
+  Writer writer(scratch / "a.h5", {}, scene_of_hash("1"), Writer::Resume{0.2});
+  EXPECT_THROW(writer.table("energy", {{"elastic"}, {"J"}}, 1., {0.}), std::invalid_argument);
+  EXPECT_THROW(writer.line("line", {{"phi"}, {"1"}}, 1., {{{0., 0.}}, {0.}}),
+               std::invalid_argument);
+}
+
+TEST(ResumedRecord, RefusesAnotherSceneOrNoRecord)
+{
+  const Scratch scratch;
+  EXPECT_NE(error_of<std::runtime_error>(
+                [&] { Writer(scratch / "a.h5", {}, scene_of_hash("1"), Writer::Resume{0.}); })
+                .find("--resume"),
+            std::string::npos);
+  {
+    Writer writer(scratch / "a.h5", {}, scene_of_hash("1"), false);
+  }
+  EXPECT_NE(error_of<std::runtime_error>(
+                [&] { Writer(scratch / "a.h5", {}, scene_of_hash("2"), Writer::Resume{0.}); })
+                .find("another scene"),
+            std::string::npos);
+}
+
+TEST(Checkpoint, GivesEveryTypeBackBitForBit)
+{
+  const Scratch scratch;
+  // A NaN with a payload: even that must not change.
+  const unsigned long bits = 0x7ff8000000abcdefUL;
+  double strange;
+  std::memcpy(&strange, &bits, sizeof strange);
+  std::vector<double> x(6000, 1. / 3.);
+  x[5999] = strange;
+  Checkpoint before;
+  before.put("solid/x", x);
+  before.put("melt/phi", std::vector<float>{0.1f, -1.f});
+  before.put("tiles", std::vector<int>{-1, 2147483647});
+  before.put("flags", std::vector<unsigned char>{0, 255});
+  before.put("none", std::vector<double>{});
+  before.put("time", std::nextafter(1., 2.));
+  before.save(scratch / "c.h5", scene_of_hash("1"));
+
+  const Checkpoint after = Checkpoint::load(scratch / "c.h5", scene_of_hash("1"));
+  EXPECT_EQ(std::memcmp(after.get<double>("solid/x").data(), x.data(), 6000 * sizeof(double)), 0);
+  EXPECT_EQ(after.get<float>("melt/phi"), (std::vector<float>{0.1f, -1.f}));
+  EXPECT_EQ(after.get<int>("tiles"), (std::vector<int>{-1, 2147483647}));
+  EXPECT_EQ(after.get<unsigned char>("flags"), (std::vector<unsigned char>{0, 255}));
+  EXPECT_TRUE(after.get<double>("none").empty());
+  EXPECT_EQ(after.number("time"), std::nextafter(1., 2.));
+  EXPECT_TRUE(after.has("tiles"));
+  EXPECT_FALSE(after.has("walls"));
+}
+
+TEST(Checkpoint, SaysWhatIsMissing)
+{
+  const Scratch scratch;
+  Checkpoint checkpoint;
+  checkpoint.put("tiles", std::vector<int>{1});
+  checkpoint.save(scratch / "c.h5", scene_of_hash("1"));
+  EXPECT_NE(error_of<std::runtime_error>([&] { checkpoint.get<int>("walls"); }).find("walls"),
+            std::string::npos);
+  EXPECT_NE(error_of<std::runtime_error>([&] { checkpoint.get<double>("tiles"); }).find("type"),
+            std::string::npos);
+  EXPECT_NE(
+      error_of<std::runtime_error>([&] { Checkpoint::load(scratch / "c.h5", scene_of_hash("2")); })
+          .find("another scene"),
+      std::string::npos);
+  EXPECT_NE(
+      error_of<std::runtime_error>([&] { Checkpoint::load(scratch / "d.h5", scene_of_hash("1")); })
+          .find("--resume"),
+      std::string::npos);
+}
+
+TEST(Checkpoint, ReplacesTheOneBeforeWhole)
+{
+  const Scratch scratch;
+  Checkpoint checkpoint;
+  checkpoint.put("a", 1.);
+  checkpoint.save(scratch / "c.h5", scene_of_hash("1"));
+  checkpoint.put("a", 2.);
+  checkpoint.save(scratch / "c.h5", scene_of_hash("1"));
+  EXPECT_EQ(Checkpoint::load(scratch / "c.h5", scene_of_hash("1")).number("a"), 2.);
+  EXPECT_FALSE(std::filesystem::exists(scratch / "c.h5.part"));
+}
