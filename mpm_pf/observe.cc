@@ -1,0 +1,76 @@
+#include "observe.h"
+
+namespace
+{
+  /// Names of a probe's columns, with units in the scene's system.
+  record::Columns columns_of(const scene::Probe &probe, const World &world)
+  {
+    const bool si = world.scene->units == scene::Units::si;
+    record::Columns columns;
+    for (const auto &name : probe.of)
+    {
+      const bool stress =
+          name == "von_mises" || name == "pressure" || name.rfind("stress_", 0) == 0;
+      const bool length = name.rfind("displacement_", 0) == 0;
+      const bool speed = name.rfind("velocity_", 0) == 0;
+      columns.names.push_back(name);
+      columns.units.push_back(stress   ? (si ? "Pa" : "sigma_Y")
+                              : length ? (si ? "m" : "W0")
+                              : speed  ? (si ? "m/s" : "W0/tau0")
+                                       : "1");
+    }
+    return columns;
+  }
+} // namespace
+
+void observe(const scene::LineProbe &line, const scene::Probe &probe, const World &world,
+             record::Writer &writer)
+{
+  writer.line(probe.name, columns_of(probe, world), world.time,
+              solid::sample_line(*world.solid, line, probe.of));
+}
+
+void observe(const scene::PointProbe &point, const scene::Probe &probe, const World &world,
+             record::Writer &writer)
+{
+  writer.table(probe.name, columns_of(probe, world), world.time,
+               solid::sample_point(*world.solid, point, probe.of));
+}
+
+void observe(const scene::RegionProbe &region, const scene::Probe &probe, const World &world,
+             record::Writer &writer)
+{
+  writer.table(probe.name, columns_of(probe, world), world.time,
+               solid::region_means(*world.solid, region, probe.of));
+}
+
+void observe(const scene::ReactionProbe &, const scene::Probe &, const World &, record::Writer &)
+{
+  // Reactions are means over windows: reaction_window.h, driven by the recorder itself.
+}
+
+void observe(const scene::OutlineProbe &outline, const scene::Probe &probe, const World &world,
+             record::Writer &writer)
+{
+  if (outline.of == scene::OutlineProbe::Of::material)
+    writer.outline(probe.name, world.time, solid::material_outline(*world.solid));
+}
+
+void observe(const scene::SnapshotProbe &, const scene::Probe &probe, const World &world,
+             record::Writer &writer)
+{
+  if (world.solid)
+    writer.snapshot(probe.name, world.time, solid::snapshot(*world.solid, probe.of));
+}
+
+void observe(const scene::TipProbe &, const scene::Probe &, const World &, record::Writer &) {}
+
+void observe(const scene::HistoryProbe &, const scene::Probe &probe, const World &world,
+             record::Writer &writer)
+{
+  if (world.solid)
+  {
+    const auto history = solid::history(*world.solid);
+    writer.table(probe.name, history.columns, world.time, history.row);
+  }
+}

@@ -1,0 +1,71 @@
+#include "plan.h"
+
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+#include <vector>
+
+#include "world.h"
+
+namespace
+{
+  struct Module
+  {
+    std::string name;
+    const scene::Place *place; // null: absent
+  };
+
+  std::vector<Module> modules(const scene::Scene &s)
+  {
+    const auto place = [](const auto &section) { return section ? &section->place : nullptr; };
+    return {{"solid", place(s.solid)},
+            {"supports", s.supports.empty() ? nullptr : &s.supports.front().place},
+            {"tractions", s.tractions.empty() ? nullptr : &s.tractions.front().place},
+            {"body force", place(s.body_force)},
+            {"phase field", place(s.phase_field)},
+            {"growth", place(s.growth)},
+            {"heat", place(s.heat)},
+            {"orientation", place(s.orientation)},
+            {"noise", place(s.noise)},
+            {"imposed motion", place(s.imposed)},
+            {"walls", s.walls.empty() ? nullptr : &s.walls.front().place}};
+  }
+} // namespace
+
+std::string banner(const scene::Scene &scene)
+{
+  std::ostringstream out;
+  out << "mpm_pf: " << scene.title << " (" << scene.file << ")\n  on: ";
+  std::string off;
+  bool first = true;
+  for (const auto &module : modules(scene))
+    if (module.place)
+    {
+      out << (first ? "" : ", ") << module.name << " (line " << module.place->line << ")";
+      first = false;
+    }
+    else
+      off += (off.empty() ? "" : ", ") + module.name;
+  out << "\n  off: " << off << '\n';
+  if (scene.fe)
+    out << "  [fe] is read by fe_reference only\n";
+  return out.str();
+}
+
+std::string plan(const scene::Scene &scene, const int threads)
+{
+  const World world = build_world(scene, threads);
+  std::ostringstream out;
+  out << banner(scene) << "  domain: " << scene.domain.cells[0] << " x " << scene.domain.cells[1]
+      << " cells\n";
+  for (const auto &[name, value] : predict(world))
+    out << "  " << name << ": " << std::setprecision(4) << value << '\n';
+  double total = 0.;
+  for (const auto &[what, bytes] : memory(world))
+  {
+    out << "  memory, " << what << ": " << std::setprecision(4) << bytes / 1e6 << " MB\n";
+    total += bytes;
+  }
+  out << "  memory, all modules: " << total / 1e6 << " MB\n";
+  return out.str();
+}

@@ -1,0 +1,13 @@
+// What a run would do and what it would cost, before it does it.
+#pragma once
+
+#include <string>
+
+#include "scene/scene.h"
+
+/// Which modules are on and from which line, which are off; a few lines, printed at every start.
+std::string banner(const scene::Scene &);
+
+/// The banner and cells, points, steps, memory by module and an estimated time. Builds the world to
+/// count, moves nothing. Throws scene::BadScene.
+std::string plan(const scene::Scene &, int threads);

@@ -1,0 +1,88 @@
+#include "reaction_window.h"
+
+#include <algorithm>
+#include <cmath>
+
+ReactionWindow::ReactionWindow(std::vector<double> samples, const double half_width,
+                               const double run_end)
+    : times(std::move(samples)), half(half_width), end(run_end), tolerance(1e-9 * run_end)
+{
+}
+
+std::vector<double> ReactionWindow::events() const
+{
+  std::vector<double> all;
+  for (const double t : times)
+  {
+    all.push_back(std::max(0., t - half));
+    all.push_back(t);
+    all.push_back(std::min(end, t + half));
+  }
+  return all;
+}
+
+const ReactionWindow::Mark *ReactionWindow::mark_at(const double time) const
+{
+  const auto near =
+      std::find_if(marks.begin(), marks.end(),
+                   [&](const Mark &mark) { return std::abs(mark.time - time) <= tolerance; });
+  return near == marks.end() ? nullptr : &*near;
+}
+
+std::optional<ReactionWindow::Mean> ReactionWindow::mean(const std::size_t sample) const
+{
+  const Mark *from = mark_at(std::max(0., times[sample] - half));
+  const Mark *to = mark_at(std::min(end, times[sample] + half));
+  if (!from || !to)
+    return {};
+  return Mean{(from->time + to->time) / 2, (to->impulse - from->impulse) / (to->time - from->time)};
+}
+
+std::vector<ReactionRow> ReactionWindow::see(const double time, const scene::Point &impulse,
+                                             const scene::Point &displacement)
+{
+  marks.push_back({time, impulse, displacement});
+  std::vector<ReactionRow> rows;
+  while (returned < times.size())
+  {
+    const std::size_t k = returned;
+    const Mark *here = mark_at(times[k]);
+    const auto own = mean(k);
+    if (!here || !own)
+      break;
+    ReactionRow row{times[k], own->force, here->displacement};
+    if (std::abs(own->centre - times[k]) > tolerance && times.size() > 1)
+    {
+      const auto neighbour = mean(k == 0 ? 1 : k - 1);
+      if (!neighbour)
+        break; // the first row waits for the second
+      row.force += (neighbour->force - own->force) * (times[k] - own->centre) /
+                   (neighbour->centre - own->centre);
+    }
+    rows.push_back(row);
+    ++returned;
+  }
+  // The row before the next one to return may still be needed to extrapolate it.
+  const double oldest = returned < 2 ? 0. : times[returned - 2] - 1.01 * half;
+  marks.erase(std::remove_if(marks.begin(), marks.end(),
+                             [&](const Mark &mark) { return mark.time < oldest; }),
+              marks.end());
+  return rows;
+}
+
+std::vector<double> ReactionWindow::state() const
+{
+  std::vector<double> flat{static_cast<double>(returned)};
+  for (const Mark &mark : marks)
+    flat.insert(flat.end(), {mark.time, mark.impulse[0], mark.impulse[1], mark.displacement[0],
+                             mark.displacement[1]});
+  return flat;
+}
+
+void ReactionWindow::restore(const std::vector<double> &flat)
+{
+  returned = static_cast<std::size_t>(flat.at(0));
+  marks.clear();
+  for (std::size_t i = 1; i + 5 <= flat.size(); i += 5)
+    marks.push_back({flat[i], {flat[i + 1], flat[i + 2]}, {flat[i + 3], flat[i + 4]}});
+}

@@ -1,0 +1,119 @@
+#include "recorder.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "observe.h"
+#include "scene/schedule.h"
+
+Recorder::Recorder(const scene::Scene &scene, record::Writer &out)
+    : writer(out), tolerance(1e-9 * scene.clock.end)
+{
+  const double end = scene.clock.end;
+  std::vector<std::string> watched;
+  for (const auto &probe : scene.probes)
+  {
+    auto times = scene::sample_times(probe, end);
+    if (const auto *reaction = std::get_if<scene::ReactionProbe>(&probe.kind))
+    {
+      watched.push_back(reaction->support);
+      const double interval = scene::sample_interval(probe, end);
+      watch_reaction(probe.name, reaction->support, times, interval / 2, end);
+    }
+    else
+    {
+      events.insert(events.end(), times.begin(), times.end());
+      watches.push_back({&probe, std::move(times), 0});
+    }
+  }
+  for (const auto &support : scene.supports)
+    if (std::find(watched.begin(), watched.end(), support.name) == watched.end())
+    {
+      scene::Probe probe;
+      probe.kind = scene::ReactionProbe{support.name};
+      const double interval = scene::sample_interval(probe, end);
+      watch_reaction("reaction " + support.name, support.name, scene::sample_times(probe, end),
+                     interval / 2, end);
+    }
+  std::sort(events.begin(), events.end());
+  events.erase(std::unique(events.begin(), events.end(),
+                           [&](double a, double b) { return b - a <= tolerance; }),
+               events.end());
+}
+
+void Recorder::watch_reaction(const std::string &name, const std::string &support,
+                              const std::vector<double> &times, const double half, const double end)
+{
+  ReactionWindow window(times, half, end);
+  auto own = window.events();
+  std::sort(own.begin(), own.end());
+  own.erase(
+      std::unique(own.begin(), own.end(), [&](double a, double b) { return b - a <= tolerance; }),
+      own.end());
+  events.insert(events.end(), own.begin(), own.end());
+  reactions.push_back({name, support, std::move(window), std::move(own), 0});
+}
+
+double Recorder::next_event(const double time) const
+{
+  const auto next = std::upper_bound(events.begin(), events.end(), time + tolerance);
+  return next == events.end() ? std::numeric_limits<double>::infinity() : *next;
+}
+
+bool Recorder::due(const std::vector<double> &times, std::size_t &next, const double time) const
+{
+  if (next >= times.size() || times[next] > time + tolerance)
+    return false;
+  ++next;
+  return true;
+}
+
+void Recorder::observe(const World &world)
+{
+  const double wall_before = record::wall_seconds(), cpu_before = record::cpu_seconds();
+  for (auto &watch : watches)
+    if (due(watch.times, watch.next, world.time))
+      observe_probe(*watch.probe, world);
+  for (auto &reaction : reactions)
+    if (due(reaction.events, reaction.next, world.time))
+      observe_reaction(reaction, world);
+  wall += record::wall_seconds() - wall_before;
+  cpu += record::cpu_seconds() - cpu_before;
+}
+
+void Recorder::observe_probe(const scene::Probe &probe, const World &world)
+{
+  std::visit([&](const auto &kind) { ::observe(kind, probe, world, writer); }, probe.kind);
+}
+
+void Recorder::observe_reaction(ReactionWatch &watch, const World &world)
+{
+  const auto reaction = solid::reaction(*world.solid, watch.support);
+  const record::Columns columns{{"force_x", "force_y", "displacement_x", "displacement_y"},
+                                {"N/m", "N/m", "m", "m"}};
+  for (const auto &row : watch.window.see(world.time, reaction.impulse, reaction.displacement))
+    writer.table(watch.name, columns, row.time,
+                 {row.force[0], row.force[1], row.displacement[0], row.displacement[1]});
+}
+
+void Recorder::save(record::Checkpoint &checkpoint) const
+{
+  for (const auto &reaction : reactions)
+    checkpoint.put("recorder/" + reaction.name, reaction.window.state());
+}
+
+void Recorder::restore(const record::Checkpoint &checkpoint, const double time)
+{
+  const auto passed = [&](const std::vector<double> &times)
+  {
+    return static_cast<std::size_t>(std::upper_bound(times.begin(), times.end(), time + tolerance) -
+                                    times.begin());
+  };
+  for (auto &watch : watches)
+    watch.next = passed(watch.times);
+  for (auto &reaction : reactions)
+  {
+    reaction.next = passed(reaction.events);
+    reaction.window.restore(checkpoint.get<double>("recorder/" + reaction.name));
+  }
+}

@@ -1,0 +1,60 @@
+// The verb "observe": looks at the world where and when the scene's probes ask, and writes the
+// record.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "reaction_window.h"
+#include "record/checkpoint.h"
+#include "record/writer.h"
+#include "world.h"
+
+class Recorder
+{
+public:
+  /// Probes of `scene`; rows go to `writer`. Both must outlive the recorder. A scene with supports
+  /// always has its reactions recorded: a support that no probe names gets "reaction <support>".
+  Recorder(const scene::Scene &, record::Writer &);
+
+  /// The next time after `time` at which some probe wants to look; infinity if none does.
+  double next_event(double time) const;
+
+  /// Record all that is due at world.time. Call it at the start and after every step.
+  void observe(const World &);
+
+  /// CPU and wall seconds spent observing.
+  double cpu_seconds() const { return cpu; }
+  double wall_seconds() const { return wall; }
+
+  void save(record::Checkpoint &) const;
+  void restore(const record::Checkpoint &, double time);
+
+private:
+  struct Watch
+  {
+    const scene::Probe *probe;
+    std::vector<double> times;
+    std::size_t next = 0;
+  };
+  struct ReactionWatch
+  {
+    std::string name, support;
+    ReactionWindow window;
+    std::vector<double> events;
+    std::size_t next = 0;
+  };
+  void watch_reaction(const std::string &name, const std::string &support,
+                      const std::vector<double> &times, double half, double end);
+  bool due(const std::vector<double> &times, std::size_t &next, double time) const;
+  void observe_probe(const scene::Probe &, const World &);
+  void observe_reaction(ReactionWatch &, const World &);
+
+  record::Writer &writer;
+  double tolerance;
+  std::vector<double> events; // sorted, unique
+  std::vector<Watch> watches;
+  std::vector<ReactionWatch> reactions;
+  double cpu = 0., wall = 0.;
+};

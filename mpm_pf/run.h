@@ -1,0 +1,14 @@
+// One run of one scene from its beginning (or its checkpoint) to a finished record.
+#pragma once
+
+#include <functional>
+
+#include "record/command_line.h"
+#include "scene/scene.h"
+
+/// Builds the world, simulates, writes command.record_path(). `stop_asked` is polled after every
+/// step; a run that is asked to stop leaves a checkpoint and its unfinished record behind. Returns
+/// the exit code: all_right, numerical_trouble (the record is kept, marked as failed) or
+/// interrupted. Throws scene::BadScene and std::runtime_error for what is wrong before the first
+/// step.
+int run(const scene::Scene &, const record::CommandLine &, const std::function<bool()> &stop_asked);
