@@ -1,5 +1,10 @@
 #include "observe.h"
 
+#include <algorithm>
+
+#include "medium/contour.h"
+#include "scene/quantities.h"
+
 namespace
 {
   /// Names of a probe's columns, with units in the scene's system.
@@ -20,6 +25,42 @@ namespace
                                        : "1");
     }
     return columns;
+  }
+
+  bool asks_the_melt(const scene::Probe &probe)
+  {
+    return std::any_of(probe.of.begin(), probe.of.end(),
+                       [](const std::string &name)
+                       {
+                         return std::find(scene::melt_quantities.begin(),
+                                          scene::melt_quantities.end(),
+                                          name) != scene::melt_quantities.end();
+                       });
+  }
+
+  /// Copies the nodes of a field, x fastest.
+  std::vector<double> nodes_of(const medium::Field<double> &field)
+  {
+    std::vector<double> flat;
+    for (int j = 0; j < field.nodes(1); ++j)
+      flat.insert(flat.end(), field.row(j), field.row(j) + field.nodes(0));
+    return flat;
+  }
+
+  record::Snapshot grid_snapshot(const World &world)
+  {
+    record::Snapshot snapshot;
+    snapshot.kind = record::Snapshot::Kind::grid;
+    snapshot.origin = world.mesh->lower;
+    snapshot.spacing = world.mesh->spacing;
+    snapshot.nodes = world.mesh->nodes;
+    if (world.phase)
+      snapshot.fields["phi"] = nodes_of(world.phase->value);
+    if (world.heat)
+      snapshot.fields["theta"] = nodes_of(world.heat->value);
+    if (world.orientation && world.orientation->varying())
+      snapshot.fields["crystal_angle"] = nodes_of(world.orientation->angle);
+    return snapshot;
   }
 } // namespace
 
@@ -54,6 +95,8 @@ void observe(const scene::OutlineProbe &outline, const scene::Probe &probe, cons
 {
   if (outline.of == scene::OutlineProbe::Of::material)
     writer.outline(probe.name, world.time, solid::material_outline(*world.solid));
+  else
+    writer.outline(probe.name, world.time, medium::contour(world.phase->value, *world.mesh));
 }
 
 void observe(const scene::SnapshotProbe &, const scene::Probe &probe, const World &world,
@@ -61,6 +104,9 @@ void observe(const scene::SnapshotProbe &, const scene::Probe &probe, const Worl
 {
   if (world.solid)
     writer.snapshot(probe.name, world.time, solid::snapshot(*world.solid, probe.of));
+  if (world.mesh)
+    writer.snapshot(world.solid ? probe.name + " of the melt" : probe.name, world.time,
+                    grid_snapshot(world));
 }
 
 void observe(const scene::TipProbe &, const scene::Probe &, const World &, record::Writer &) {}

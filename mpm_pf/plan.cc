@@ -5,6 +5,7 @@
 #include <sstream>
 #include <vector>
 
+#include "accounts.h"
 #include "world.h"
 
 namespace

@@ -4,6 +4,8 @@
 #include <iostream>
 #include <optional>
 
+#include "accounts.h"
+#include "medium/trouble.h"
 #include "plan.h"
 #include "record/checkpoint.h"
 #include "record/progress.h"
@@ -56,7 +58,7 @@ int run(const scene::Scene &scene, const record::CommandLine &command,
 {
   const double begin_wall = record::wall_seconds();
   std::cerr << banner(scene);
-  World world = build_world(scene, command.threads);
+  World world = build_world(scene, command.threads, command.force);
 
   std::filesystem::create_directories(command.output);
   const auto provenance = record::collect("mpm_pf", command.joined, command.threads);
@@ -113,11 +115,11 @@ int run(const scene::Scene &scene, const record::CommandLine &command,
   }
   catch (const solid::Trouble &trouble)
   {
-    progress.finish("failed");
-    std::cerr << "mpm_pf: " << trouble.what()
-              << "\nThe record keeps what came before; repeat with: " << command.joined << '\n';
-    writer->finish(profile(), std::string("failed: ") + trouble.what());
-    return record::numerical_trouble;
+    return fail(trouble.what());
+  }
+  catch (const medium::NumericalTrouble &trouble)
+  {
+    return fail(trouble.what());
   }
   writer->finish(profile());
   std::error_code none;

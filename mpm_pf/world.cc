@@ -1,88 +1,159 @@
 #include "world.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
-World build_world(const scene::Scene &scene, const int threads)
+#include "scene/geometry.h"
+
+namespace
+{
+  using medium::Field;
+  using medium::Mesh;
+
+  /// phi = tanh(d / (sqrt(2) W)), d the signed distance to the bodies: the equilibrium profile.
+  Field<double> phase_of_bodies(const scene::Scene &scene, const Mesh &mesh)
+  {
+    Field<double> phi(mesh);
+    for (int j = 0; j < mesh.nodes[1]; ++j)
+      for (int i = 0; i < mesh.nodes[0]; ++i)
+        phi(i, j) = std::tanh(scene::signed_distance(scene.bodies, mesh.position(i, j)) /
+                              (std::sqrt(2.) * scene.phase_field->width));
+    medium::fill_ghosts(phi, mesh);
+    return phi;
+  }
+
+  /// Gradient of that profile along `axis`: (1 - phi^2)/(sqrt(2) W) times the slope of the
+  /// distance.
+  Field<double> phase_gradient(const scene::Scene &scene, const Mesh &mesh, const int axis,
+                               const Field<double> &phi)
+  {
+    Field<double> gradient(mesh);
+    const double small = 1e-5 * mesh.spacing[axis];
+    scene::Point shift = scene::Point::Zero();
+    shift[axis] = small;
+    for (int j = 0; j < mesh.nodes[1]; ++j)
+      for (int i = 0; i < mesh.nodes[0]; ++i)
+      {
+        const scene::Point x = mesh.position(i, j);
+        const double slope = (scene::signed_distance(scene.bodies, x + shift) -
+                              scene::signed_distance(scene.bodies, x - shift)) /
+                             (2 * small);
+        gradient(i, j) =
+            (1 - phi(i, j) * phi(i, j)) / (std::sqrt(2.) * scene.phase_field->width) * slope;
+      }
+    medium::fill_ghosts(gradient, mesh,
+                        axis == 0 ? medium::Parity::odd_in_x : medium::Parity::odd_in_y);
+    return gradient;
+  }
+
+  Field<double> initial_temperature(const scene::Heat &heat, const Mesh &mesh)
+  {
+    Field<double> theta(mesh, -heat.undercooling);
+    if (heat.initial)
+    {
+      const scene::Function initial(*heat.initial);
+      for (int j = 0; j < mesh.nodes[1]; ++j)
+        for (int i = 0; i < mesh.nodes[0]; ++i)
+          theta(i, j) = initial({mesh.position(i, j), mesh.position(i, j), 0.});
+    }
+    medium::fill_ghosts(theta, mesh);
+    return theta;
+  }
+
+  void build_growth(World &world, const bool force)
+  {
+    const scene::Scene &scene = *world.scene;
+    melt::GrowthOptions options;
+    melt::Law law;
+    if (scene.growth)
+    {
+      options = {scene.growth->laplacian, scene.growth->precision, scene.growth->tiles, force};
+      law = melt::make_law(*scene.phase_field, *scene.growth, scene.heat ? &*scene.heat : nullptr);
+    }
+    else
+    {
+      options.laplacian = scene::Laplacian::five_point;
+      options.force = force;
+      law.diffusivity = scene.heat->diffusivity;
+    }
+    const double undercooling = scene.heat ? std::abs(scene.heat->undercooling) : 0.;
+    world.growth = std::make_unique<melt::Growth>(*world.mesh, law, options, undercooling);
+    if (scene.noise)
+      world.noise = std::make_unique<melt::Noise>(
+          *world.mesh, melt::Noise::Options{scene.noise->strength, law.diffusivity,
+                                            scene.noise->seed, scene.noise->mirrored});
+  }
+
+  void build_motion(World &world)
+  {
+    const scene::Scene &scene = *world.scene;
+    const auto scheme = scene.advection ? scene.advection->scheme : scene::AdvectionScheme::cip;
+    world.velocity = std::make_unique<medium::Velocity>(*world.mesh);
+    world.advection = std::make_unique<medium::Advection>(*world.mesh, scheme);
+    if (world.phase && (!scene.advection || scene.advection->analytic_gradients))
+      world.advection->start(world.phase->value, world.phase->gradients,
+                             phase_gradient(scene, *world.mesh, 0, world.phase->value),
+                             phase_gradient(scene, *world.mesh, 1, world.phase->value));
+    if (scene.imposed)
+    {
+      world.imposed = std::make_unique<Imposed>(*scene.imposed);
+      world.imposed->write(0., *world.mesh, *world.velocity);
+    }
+  }
+} // namespace
+
+World build_world(const scene::Scene &scene, const int threads, const bool force)
 {
   World world;
   world.scene = &scene;
   world.threads = threads;
+  if (scene.phase_field || scene.heat)
+    world.mesh = std::make_unique<Mesh>(medium::make_mesh(scene.domain));
+  if (scene.phase_field)
+  {
+    world.phase = std::make_unique<CarriedField>();
+    world.phase->value = phase_of_bodies(scene, *world.mesh);
+  }
+  if (scene.heat)
+  {
+    world.heat = std::make_unique<CarriedField>();
+    world.heat->value = initial_temperature(*scene.heat, *world.mesh);
+  }
+  if (scene.orientation)
+    world.orientation = std::make_unique<melt::Orientation>(
+        melt::make_orientation(scene.orientation->angle_degrees));
+  if (scene.growth || scene.heat)
+    build_growth(world, force);
+  if (scene.imposed)
+    build_motion(world);
   if (scene.solid)
     world.solid = solid::make_solid(scene, threads);
   return world;
 }
 
-std::map<std::string, double> memory(const World &world)
+double growth_step(const World &world)
 {
-  std::map<std::string, double> bytes;
-  if (world.solid)
-    for (const auto &[part, size] : solid::memory(*world.solid))
-      bytes["solid " + part] = size;
-  return bytes;
+  const auto &growth = world.scene->growth;
+  if (growth && growth->step)
+    return *growth->step;
+  return (growth ? growth->step_fraction : 0.8) * world.growth->step_limit();
 }
 
 double coupling_step(const World &world)
 {
+  const scene::Scene &scene = *world.scene;
   double step = std::numeric_limits<double>::infinity();
-  if (world.scene->clock.step)
-    step = *world.scene->clock.step;
-  // A solid on its own substeps as it likes; coming back every few hundred steps lets the run be
-  // watched, interrupted and checkpointed.
-  constexpr double steps_between_looks = 500.;
+  if (scene.clock.step)
+    step = *scene.clock.step;
+  // Coming back now and then lets the run be watched, interrupted and checkpointed.
+  constexpr double substeps_between_looks = 512.;
   if (world.solid)
-    step = std::min(step, steps_between_looks * solid::stable_step(*world.solid));
+    step = std::min(step, substeps_between_looks * solid::stable_step(*world.solid));
+  if (world.growth)
+    step = std::min(step, substeps_between_looks * growth_step(world));
+  if (world.imposed && world.imposed->crossing_rate() > 0.)
+    step = std::min(step, (scene.advection ? scene.advection->step_fraction : 0.2) /
+                              world.imposed->crossing_rate());
   return step;
-}
-
-std::vector<record::Profile::Part> parts(const World &world)
-{
-  return world.solid ? solid::profile(*world.solid) : std::vector<record::Profile::Part>{};
-}
-
-std::map<std::string, double> numbers(const World &world)
-{
-  std::map<std::string, double> all{{"coupling_steps", static_cast<double>(world.steps)}};
-  if (world.solid)
-  {
-    all = solid::numbers(*world.solid);
-    all["steps"] = static_cast<double>(solid::steps(*world.solid));
-    all["points"] = static_cast<double>(solid::points(*world.solid));
-    all["cells"] = static_cast<double>(solid::cells(*world.solid));
-  }
-  return all;
-}
-
-std::map<std::string, double> predict(const World &world)
-{
-  std::map<std::string, double> counts;
-  if (world.solid)
-  {
-    const double steps = world.scene->clock.end / solid::stable_step(*world.solid);
-    const double points = static_cast<double>(solid::points(*world.solid));
-    constexpr double seconds_per_point_step = 6e-8; // measured: benchmarks/kernels
-    counts["points"] = points;
-    counts["cells"] = static_cast<double>(solid::cells(*world.solid));
-    counts["steps"] = steps;
-    counts["cpu_s"] = steps * points * seconds_per_point_step;
-  }
-  return counts;
-}
-
-void save(const World &world, record::Checkpoint &checkpoint)
-{
-  if (world.solid)
-    for (auto &[name, values] : solid::checkpoint(*world.solid))
-      checkpoint.put("solid/" + name, values);
-}
-
-void restore(World &world, const record::Checkpoint &checkpoint)
-{
-  if (world.solid)
-  {
-    solid::Checkpoint state = solid::checkpoint(*world.solid);
-    for (auto &[name, values] : state)
-      values = checkpoint.get<double>("solid/" + name);
-    solid::restore(*world.solid, state);
-  }
 }

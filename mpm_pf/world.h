@@ -5,12 +5,25 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <string>
 
+#include "imposed.h"
+#include "medium/advection.h"
+#include "melt/growth.h"
+#include "melt/orientation.h"
 #include "record/checkpoint.h"
 #include "record/writer.h"
 #include "scene/scene.h"
 #include "solid/solid.h"
+
+/// A field of the melt with what its advection carries along; the gradients stay empty until
+/// something moves. phi is dimensionless (+1 solid, -1 liquid), theta = (T - Tm)/(L/cp).
+struct CarriedField
+{
+  medium::Field<double> value;
+  medium::Gradients gradients;
+};
 
 struct World
 {
@@ -19,26 +32,28 @@ struct World
   double time = 0.;
   long steps = 0;
 
+  std::unique_ptr<medium::Mesh> mesh;             // if anything Eulerian exists
+  std::unique_ptr<CarriedField> phase;            // [phase_field]
+  std::unique_ptr<CarriedField> heat;             // [heat]
+  std::unique_ptr<melt::Orientation> orientation; // [orientation]
+  std::unique_ptr<melt::Noise> noise;             // [noise]
+  std::unique_ptr<melt::Growth> growth;           // [growth], or [heat] alone
+  std::unique_ptr<Imposed> imposed;               // [imposed]
+  std::unique_ptr<medium::Velocity> velocity;     // if anything moves the melt's fields
+  std::unique_ptr<medium::Advection> advection;
   solid::Owner solid; // [solid]
 };
 
-/// Everything that `scene` asks for, at time 0. The scene must outlive the world. Throws
-/// scene::BadScene where the scene cannot be built (no cell in a body, ...).
-World build_world(const scene::Scene &scene, int threads);
-
-/// Bytes held, by module and part ("solid points", "solid grid", "phase field", ...); a module that
-/// is absent has no entry.
-std::map<std::string, double> memory(const World &);
+/// Everything that `scene` asks for, at time 0. The scene must outlive the world. `force` accepts
+/// growth steps past their limit. Throws scene::BadScene where the scene cannot be built (no cell
+/// in a body, ...).
+World build_world(const scene::Scene &scene, int threads, bool force = false);
 
 /// Largest step that every present module accepts as one coupling step; infinity if none minds.
 double coupling_step(const World &);
 
-/// Seconds by part of the solvers, and numbers worth keeping (points, cells, density in use, ...).
-std::vector<record::Profile::Part> parts(const World &);
-std::map<std::string, double> numbers(const World &);
-
-/// Counts before the run: "points", "cells", "steps", "cpu_s"; only what the present modules have.
-std::map<std::string, double> predict(const World &);
+/// Explicit growth step of the scene: its own choice, or its fraction of the limit. Time.
+double growth_step(const World &);
 
 /// The whole state to and from a checkpoint; a restored world goes on to the same bits. Throw
 /// std::runtime_error if the checkpoint lacks a module.

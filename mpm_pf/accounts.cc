@@ -1,0 +1,82 @@
+#include "accounts.h"
+
+namespace
+{
+  double bytes(const CarriedField &field)
+  {
+    return static_cast<double>(field.value.bytes() + field.gradients.bytes());
+  }
+} // namespace
+
+std::map<std::string, double> memory(const World &world)
+{
+  std::map<std::string, double> held;
+  if (world.phase)
+    held["phase field"] = bytes(*world.phase);
+  if (world.heat)
+    held["heat"] = bytes(*world.heat);
+  if (world.orientation)
+    held["orientation"] = static_cast<double>(world.orientation->bytes());
+  if (world.growth)
+    held["growth"] = static_cast<double>(world.growth->bytes());
+  if (world.velocity)
+    held["velocity"] = static_cast<double>(world.velocity->x.bytes() + world.velocity->y.bytes());
+  if (world.advection)
+    held["advection"] = static_cast<double>(world.advection->bytes());
+  if (world.solid)
+    for (const auto &[part, size] : solid::memory(*world.solid))
+      held["solid " + part] = size;
+  return held;
+}
+
+std::vector<record::Profile::Part> parts(const World &world)
+{
+  return world.solid ? solid::profile(*world.solid) : std::vector<record::Profile::Part>{};
+}
+
+std::map<std::string, double> numbers(const World &world)
+{
+  std::map<std::string, double> all;
+  if (world.solid)
+  {
+    all = solid::numbers(*world.solid);
+    all["steps"] = static_cast<double>(solid::steps(*world.solid));
+    all["points"] = static_cast<double>(solid::points(*world.solid));
+    all["cells"] = static_cast<double>(solid::cells(*world.solid));
+  }
+  if (world.growth)
+  {
+    all["growth_steps"] = static_cast<double>(world.growth->steps_taken());
+    all["growth_step"] = growth_step(world);
+    all["nodes"] = static_cast<double>(world.mesh->node_count());
+  }
+  all["coupling_steps"] = static_cast<double>(world.steps);
+  return all;
+}
+
+std::map<std::string, double> predict(const World &world)
+{
+  std::map<std::string, double> counts;
+  double cpu = 0.;
+  const double end = world.scene->clock.end;
+  if (world.solid)
+  {
+    const double steps = end / solid::stable_step(*world.solid);
+    const double points = static_cast<double>(solid::points(*world.solid));
+    constexpr double seconds_per_point_step = 6e-8; // measured: benchmarks/kernels
+    counts["points"] = points;
+    counts["cells"] = static_cast<double>(solid::cells(*world.solid));
+    counts["steps"] = steps;
+    cpu += steps * points * seconds_per_point_step;
+  }
+  if (world.growth)
+  {
+    const double steps = end / growth_step(world);
+    constexpr double seconds_per_node_step = 1e-9; // with tiles; measured: benchmarks/kernels
+    counts["growth steps"] = steps;
+    counts["nodes"] = static_cast<double>(world.mesh->node_count());
+    cpu += steps * counts["nodes"] * seconds_per_node_step;
+  }
+  counts["cpu_s"] = cpu;
+  return counts;
+}

@@ -1,0 +1,86 @@
+// State of the world to and from a checkpoint: raw fields, ghosts and all, so that nothing is
+// recomputed and a resumed run goes on to the same bits.
+#include <algorithm>
+
+#include "world.h"
+
+namespace
+{
+  using medium::Field;
+  using medium::ghost_layers;
+
+  void put(record::Checkpoint &checkpoint, const std::string &name, const Field<double> &field)
+  {
+    std::vector<double> flat;
+    if (!field.empty())
+      for (int j = -ghost_layers; j < field.nodes(1) + ghost_layers; ++j)
+        flat.insert(flat.end(), field.row(j) - ghost_layers,
+                    field.row(j) + field.nodes(0) + ghost_layers);
+    checkpoint.put(name, flat);
+  }
+
+  void get(const record::Checkpoint &checkpoint, const std::string &name, const medium::Mesh &mesh,
+           Field<double> &field)
+  {
+    const auto &flat = checkpoint.get<double>(name);
+    if (flat.empty())
+      return;
+    if (field.empty())
+      field = Field<double>(mesh);
+    auto next = flat.begin();
+    for (int j = -ghost_layers; j < field.nodes(1) + ghost_layers; ++j)
+      for (int i = -ghost_layers; i < field.nodes(0) + ghost_layers; ++i)
+        field(i, j) = *next++;
+  }
+
+  /// Calls visit(name, field) for every field of the world; one list serves both directions.
+  template <class W, class Visit>
+  void for_each_field(W &world, const Visit &visit)
+  {
+    const auto carried = [&](const std::string &name, auto &field)
+    {
+      visit(name, field.value);
+      visit(name + "/x", field.gradients.x);
+      visit(name + "/y", field.gradients.y);
+      visit(name + "/xy", field.gradients.xy);
+      visit(name + "/last", field.gradients.last);
+    };
+    if (world.phase)
+      carried("phi", *world.phase);
+    if (world.heat)
+      carried("theta", *world.heat);
+    if (world.orientation)
+    {
+      auto &o = *world.orientation;
+      visit("angle", o.angle), visit("angle/cosine", o.cosine), visit("angle/sine", o.sine);
+      visit("angle/x", o.gradients.x), visit("angle/y", o.gradients.y);
+      visit("angle/xy", o.gradients.xy), visit("angle/last", o.gradients.last);
+    }
+  }
+} // namespace
+
+void save(const World &world, record::Checkpoint &checkpoint)
+{
+  for_each_field(world, [&](const std::string &name, const Field<double> &field)
+                 { put(checkpoint, name, field); });
+  if (world.growth)
+    checkpoint.put("growth steps", static_cast<double>(world.growth->steps_taken()));
+  if (world.solid)
+    for (auto &[name, values] : solid::checkpoint(*world.solid))
+      checkpoint.put("solid/" + name, values);
+}
+
+void restore(World &world, const record::Checkpoint &checkpoint)
+{
+  for_each_field(world, [&](const std::string &name, Field<double> &field)
+                 { get(checkpoint, name, *world.mesh, field); });
+  if (world.growth)
+    world.growth->restore_steps_taken(static_cast<long>(checkpoint.number("growth steps")));
+  if (world.solid)
+  {
+    solid::Checkpoint state = solid::checkpoint(*world.solid);
+    for (auto &[name, values] : state)
+      values = checkpoint.get<double>("solid/" + name);
+    solid::restore(*world.solid, state);
+  }
+}
