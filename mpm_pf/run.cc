@@ -105,6 +105,14 @@ int run(const scene::Scene &scene, const record::CommandLine &command,
   };
   const auto profile = [&]
   { return profile_of(world, recorder, setup_cpu, setup_wall, begin_wall); };
+  const auto fail = [&](const std::string &what)
+  {
+    progress.finish("failed");
+    std::cerr << "mpm_pf: " << what
+              << "\nThe record keeps what came before; repeat with: " << command.joined << '\n';
+    writer->finish(profile(), "failed: " + what);
+    return record::numerical_trouble;
+  };
   try
   {
     if (!simulate(world, recorder, look))
