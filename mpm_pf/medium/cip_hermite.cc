@@ -1,0 +1,127 @@
+#include "medium/cip.h"
+#include "medium/departure.h"
+
+namespace medium
+{
+  namespace
+  {
+    /// Cubic Hermite weights at t of the near and far value and slope, or a derivative of them.
+    struct Weights
+    {
+      double near, far, near_slope, far_slope;
+    };
+    inline Weights value_at(double t)
+    {
+      const double s = 1. - t;
+      return {s * s * (1. + 2. * t), t * t * (3. - 2. * t), t * s * s, -t * t * s};
+    }
+    inline Weights slope_at(double t)
+    {
+      return {-6. * t * (1. - t), 6. * t * (1. - t), (1. - t) * (1. - 3. * t), t * (3. * t - 2.)};
+    }
+    inline Weights curvature_at(double t)
+    {
+      return {12. * t - 6., 6. - 12. * t, 6. * t - 4., 6. * t - 2.};
+    }
+
+    /// f, f_x, f_y, f_xy at one corner of the cell, in cell units along the upwind directions.
+    struct Corner
+    {
+      double f, x, y, xy;
+    };
+    struct Cell
+    {
+      Corner near, right, up, far;
+    };
+
+    inline double along(const Weights &w, double near, double far, double near_slope,
+                        double far_slope)
+    {
+      return w.near * near + w.far * far + w.near_slope * near_slope + w.far_slope * far_slope;
+    }
+
+    /// Tensor product of weights along x and y.
+    inline double combine(const Weights &x, const Weights &y, const Cell &c)
+    {
+      return along(y, along(x, c.near.f, c.right.f, c.near.x, c.right.x),
+                   along(x, c.up.f, c.far.f, c.up.x, c.far.x),
+                   along(x, c.near.y, c.right.y, c.near.xy, c.right.xy),
+                   along(x, c.up.y, c.far.y, c.up.xy, c.far.xy));
+    }
+
+    /// Rows of one field, and where it is written.
+    struct HermiteRows
+    {
+      const double *below, *here, *above;
+      double *next;
+    };
+
+    /// Values of one field at the four corners of the upwind cell of node i.
+    struct Four
+    {
+      double near, right, up, far;
+    };
+    inline Four corners(const HermiteRows &r, int i, bool right, bool up, double scale)
+    {
+      const double e = r.here[i + 1], w = r.here[i - 1], n = r.above[i], s = r.below[i];
+      const double ne = r.above[i + 1], nw = r.above[i - 1], se = r.below[i + 1],
+                   sw = r.below[i - 1];
+      const double high = right ? ne : nw, low = right ? se : sw;
+      return {scale * r.here[i], scale * (right ? e : w), scale * (up ? n : s),
+              scale * (up ? high : low)};
+    }
+
+    struct FieldRows
+    {
+      HermiteRows f, x, y, xy;
+    };
+
+    void hermite_row(const FieldRows &r, const VelocityRows &w, int count, StepInCells dt,
+                     double cell_x, double cell_y)
+    {
+#pragma omp simd
+      for (int i = 0; i < count; ++i)
+      {
+        const Departure d = departure(w, i, dt);
+        const bool right = d.x >= 0., up = d.y >= 0.;
+        const double sx = right ? 1. : -1., sy = up ? 1. : -1.;
+        const double tx = d.x * sx, ty = d.y * sy;
+        const Four f = corners(r.f, i, right, up, 1.);
+        const Four g = corners(r.x, i, right, up, sx * cell_x);
+        const Four k = corners(r.y, i, right, up, sy * cell_y);
+        const Four m = corners(r.xy, i, right, up, sx * sy * cell_x * cell_y);
+        const Cell cell{{f.near, g.near, k.near, m.near},
+                        {f.right, g.right, k.right, m.right},
+                        {f.up, g.up, k.up, m.up},
+                        {f.far, g.far, k.far, m.far}};
+        const Weights x = value_at(tx), y = value_at(ty), x1 = slope_at(tx), y1 = slope_at(ty);
+        const double f_x = sx * combine(x1, y, cell), f_y = sy * combine(x, y1, cell);
+        const double f_xy = sx * sy * combine(x1, y1, cell);
+        const double f_xx = combine(curvature_at(tx), y, cell);
+        const double f_yy = combine(x, curvature_at(ty), cell);
+        r.f.next[i] = combine(x, y, cell);
+        r.x.next[i] = (d.xx * f_x + d.yx * f_y) / cell_x;
+        r.y.next[i] = (d.xy * f_x + d.yy * f_y) / cell_y;
+        r.xy.next[i] =
+            (d.xx * d.xy * f_xx + (d.xx * d.yy + d.xy * d.yx) * f_xy + d.yx * d.yy * f_yy) /
+            (cell_x * cell_y);
+      }
+    }
+
+    HermiteRows hermite_rows(const Field<double> &field, Field<double> &next, int j)
+    {
+      return {field.row(j - 1), field.row(j), field.row(j + 1), next.row(j)};
+    }
+  } // namespace
+
+  void cip_hermite(const CipFields &a, const Velocity &velocity, double dt, const Mesh &mesh)
+  {
+    const StepInCells step{dt / mesh.spacing[0], dt / mesh.spacing[1]};
+#pragma omp parallel for schedule(static)
+    for (int j = 0; j < mesh.nodes[1]; ++j)
+      hermite_row({hermite_rows(*a.f, *a.new_f, j), hermite_rows(*a.x, *a.new_x, j),
+                   hermite_rows(*a.y, *a.new_y, j), hermite_rows(*a.xy, *a.new_xy, j)},
+                  velocity_rows(velocity, j), mesh.nodes[0], step, mesh.spacing[0],
+                  mesh.spacing[1]);
+  }
+} // namespace medium

@@ -1,0 +1,164 @@
+#include "melt/noise.h"
+
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace melt
+{
+  using medium::Boundary;
+  using medium::Edge;
+
+  namespace
+  {
+    using Words = std::array<std::uint32_t, 4>;
+
+    inline void philox_rounds(std::uint32_t &c0, std::uint32_t &c1, std::uint32_t &c2,
+                              std::uint32_t &c3, std::uint32_t k0, std::uint32_t k1)
+    {
+      for (int round = 0; round < 10; ++round)
+      {
+        const std::uint64_t p = std::uint64_t{0xD2511F53u} * c0;
+        const std::uint64_t q = std::uint64_t{0xCD9E8D57u} * c2;
+        const auto p_high = static_cast<std::uint32_t>(p >> 32);
+        const auto q_high = static_cast<std::uint32_t>(q >> 32);
+        c0 = q_high ^ c1 ^ k0;
+        c1 = static_cast<std::uint32_t>(q);
+        c2 = p_high ^ c3 ^ k1;
+        c3 = static_cast<std::uint32_t>(p);
+        k0 += 0x9E3779B9u;
+        k1 += 0xBB67AE85u;
+      }
+    }
+
+    /// Sum of the four 16-bit halves of two words, about its mean: a whole number, exact in float.
+    inline float centred_sum(std::uint32_t a, std::uint32_t b)
+    {
+      const std::uint32_t sum = (a & 0xFFFFu) + (a >> 16) + (b & 0xFFFFu) + (b >> 16);
+      return static_cast<float>(static_cast<std::int32_t>(sum) - 2 * 65535);
+    }
+
+    /// Standard deviation of centred_sum: four uniform numbers on 65536 values.
+    const double sum_deviation = std::sqrt((65536. * 65536. - 1.) / 3.);
+  } // namespace
+
+  Words philox(Words c, std::array<std::uint32_t, 2> key)
+  {
+    philox_rounds(c[0], c[1], c[2], c[3], key[0], key[1]);
+    return c;
+  }
+
+  Noise::Axis Noise::make_axis(int count, Boundary low, Boundary high, bool fold)
+  {
+    Axis made;
+    const int last = count - 1;
+    const bool periodic = low == Boundary::periodic;
+    const int middle = fold ? last / 2 : 0;
+    made.drawn = fold ? middle + 1 : count;
+    // A face takes the number of the node on its lower side, counted from the middle when folded.
+    const auto fold_face = [&](int lower)
+    { return lower >= middle ? lower - middle : middle - 1 - lower; };
+    for (int i = 0; i < count; ++i)
+    {
+      made.node.push_back(fold ? std::abs(i - middle) : (periodic ? i % last : i));
+      const bool wall =
+          (i == 0 && low == Boundary::no_flux) || (i == last && high == Boundary::no_flux);
+      made.width.push_back(wall ? std::sqrt(2.f) : 1.f);
+    }
+    for (int face = 0; face <= count; ++face)
+    {
+      int lower = face - 1;
+      float sign = 1.f;
+      if (periodic)
+        lower = (lower + last) % last;
+      else if (lower < 0 || lower >= last) // beyond a mirror: the face inside, turned round
+      {
+        lower = lower < 0 ? 0 : last - 1;
+        sign = -1.f;
+      }
+      made.face.push_back(fold ? fold_face(lower) : lower);
+      made.sign.push_back(fold && lower < middle ? -sign : sign);
+    }
+    return made;
+  }
+
+  Noise::Noise(const Mesh &m, const Options &o) : options(o), mesh(m)
+  {
+    bool symmetry = false, periodic = false;
+    for (const Boundary side : mesh.boundary)
+    {
+      symmetry = symmetry || side == Boundary::symmetry;
+      periodic = periodic || side == Boundary::periodic;
+    }
+    if (symmetry && !options.mirrored)
+      throw std::invalid_argument("noise with a symmetry side: fluctuations are not symmetric; set "
+                                  "noise.mirrored = true or take the whole domain");
+    const bool fold = options.mirrored && !symmetry && !periodic;
+    if (fold && (mesh.nodes[0] % 2 == 0 || mesh.nodes[1] % 2 == 0))
+      throw std::invalid_argument("mirrored noise on a whole domain needs an even number of cells "
+                                  "each way, so that a node lies in the middle");
+    axis[0] = make_axis(mesh.nodes[0], mesh.side(Edge::left), mesh.side(Edge::right), fold);
+    axis[1] = make_axis(mesh.nodes[1], mesh.side(Edge::bottom), mesh.side(Edge::top), fold);
+  }
+
+  /// Numbers of one line: currents along x and along y, in units of 1/sum_deviation.
+  void Noise::draw(int line, long step, float *x, float *y) const
+  {
+    const auto row = static_cast<std::uint32_t>(line);
+    const auto number = static_cast<std::uint64_t>(step);
+    const auto low = static_cast<std::uint32_t>(number);
+    const auto high = static_cast<std::uint32_t>(number >> 32);
+    const auto key0 = static_cast<std::uint32_t>(options.seed);
+    const auto key1 = static_cast<std::uint32_t>(options.seed >> 32);
+#pragma omp simd
+    for (int i = 0; i < axis[0].drawn; ++i)
+    {
+      std::uint32_t c0 = static_cast<std::uint32_t>(i), c1 = row, c2 = low, c3 = high;
+      philox_rounds(c0, c1, c2, c3, key0, key1);
+      x[i] = centred_sum(c0, c1);
+      y[i] = centred_sum(c2, c3);
+    }
+  }
+
+  template <class Real>
+  void Noise::add_rows(Field<Real> &theta, int first, int end, long step, double h) const
+  {
+    const auto nx = static_cast<std::size_t>(mesh.nodes[0]);
+    const auto drawn = static_cast<std::size_t>(axis[0].drawn);
+    const double dx = mesh.spacing[0], dy = mesh.spacing[1];
+    const double current = std::sqrt(2. * options.diffusivity * options.strength / (dx * dy * h));
+    const Real along_x = Real(h / dx * current / sum_deviation);
+    const Real along_y = Real(h / dy * current / sum_deviation);
+    std::vector<float> x(drawn), y(drawn), unused(drawn), below(nx), above(nx);
+    // Currents through the faces between rows `face` - 1 and `face`, given the numbers of their
+    // line.
+    const auto spread_up = [&](int face, std::vector<float> &target)
+    {
+      const float sign = axis[1].sign[static_cast<std::size_t>(face)];
+      for (std::size_t i = 0; i < nx; ++i)
+        target[i] = sign * axis[0].width[i] * y[static_cast<std::size_t>(axis[0].node[i])];
+    };
+    draw(axis[1].face[static_cast<std::size_t>(first)], step, unused.data(), y.data());
+    spread_up(first, below);
+    for (int j = first; j < end; ++j)
+    {
+      const auto line = static_cast<std::size_t>(j);
+      draw(axis[1].node[line], step, x.data(), y.data());
+      if (axis[1].face[line + 1] != axis[1].node[line])
+        draw(axis[1].face[line + 1], step, unused.data(), y.data());
+      spread_up(j + 1, above);
+      const Real wide = along_x * Real(axis[1].width[line]);
+      Real *row = theta.row(j);
+      for (std::size_t i = 0; i < nx; ++i)
+      {
+        const float right = axis[0].sign[i + 1] * x[static_cast<std::size_t>(axis[0].face[i + 1])];
+        const float left = axis[0].sign[i] * x[static_cast<std::size_t>(axis[0].face[i])];
+        row[i] -= wide * Real(right - left) + along_y * Real(above[i] - below[i]);
+      }
+      std::swap(below, above);
+    }
+  }
+
+  template void Noise::add_rows(Field<double> &, int, int, long, double) const;
+  template void Noise::add_rows(Field<float> &, int, int, long, double) const;
+} // namespace melt
