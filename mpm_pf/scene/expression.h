@@ -39,8 +39,8 @@ namespace scene
   class Function
   {
   public:
-    /// Throws BadExpression (file, line, what muParser says) if the text is not an expression of X, Y,
-    /// x, y, t.
+    /// Throws BadExpression (file, line, what muParser says) if the text is not an expression of X,
+    /// Y, x, y, t.
     explicit Function(const Expression &);
     Function(const Function &);
     Function(Function &&) noexcept;

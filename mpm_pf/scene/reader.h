@@ -23,4 +23,7 @@ namespace scene
   /// Manual entry of one key ("mpm.mach") or of all keys of a section ("mpm") or of everything
   /// (""), as text. Throws BadScene with the nearest known keys if there is none.
   std::string explain(const std::string &key);
+
+  /// The manual page of the scene language, as Markdown, from the same tables.
+  std::string manual();
 } // namespace scene

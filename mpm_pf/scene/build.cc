@@ -1,0 +1,221 @@
+#include "scene/build.h"
+
+#include <algorithm>
+
+#include "scene/keys.h"
+
+namespace scene
+{
+  namespace
+  {
+    // The tables of a [[list]], none if it is absent or not written as one.
+    std::vector<const Value *> tables(const Value &root, const std::string &name,
+                                      Complaints &complaints)
+    {
+      std::vector<const Value *> result;
+      const Value *list = root.find(name);
+      if (!list)
+        return result;
+      if (!list->is_list_of_tables())
+      {
+        complaints.add(*list, "read a single value or table", "[[" + name + "]]",
+                       "write its header with double brackets: [[" + name + "]]");
+        return result;
+      }
+      for (const Value &item : list->items)
+        result.push_back(&item);
+      return result;
+    }
+
+    const Value *table(const Value &root, const std::string &name, Complaints &complaints)
+    {
+      const Value *value = root.find(name);
+      if (value && value->kind != Value::Kind::table)
+      {
+        complaints.add(*value, "read " + inline_text(*value).substr(0, 60), "[" + name + "]",
+                       "write it as one section with the header [" + name + "]");
+        return nullptr;
+      }
+      return value;
+    }
+
+    template <class T>
+    const Value *take_one(const std::string &name, T &field, const Value &root,
+                          Complaints &complaints)
+    {
+      const Value *at = table(root, name, complaints);
+      if (at)
+        take_section(*find_section(name), *at, &field, complaints);
+      return at;
+    }
+
+    template <class T>
+    void take_module(const std::string &name, std::optional<T> &field, const Value &root,
+                     Complaints &complaints)
+    {
+      T module;
+      if (const Value *at = take_one(name, module, root, complaints))
+      {
+        module.place = at->place;
+        field = module;
+      }
+    }
+
+    void take_modules(Draft &draft, Complaints &complaints)
+    {
+      Scene &s = draft.scene;
+      const Value &root = draft.root;
+      take_module("body_force", s.body_force, root, complaints);
+      take_module("solid", s.solid, root, complaints);
+      take_module("mpm", s.mpm, root, complaints);
+      take_module("fe", s.fe, root, complaints);
+      take_module("phase_field", s.phase_field, root, complaints);
+      take_module("growth", s.growth, root, complaints);
+      take_module("heat", s.heat, root, complaints);
+      take_module("orientation", s.orientation, root, complaints);
+      take_module("noise", s.noise, root, complaints);
+      take_module("imposed", s.imposed, root, complaints);
+      take_module("advection", s.advection, root, complaints);
+      take_module("extension", s.extension, root, complaints);
+    }
+
+    // False if what was written does not say where.
+    bool place_load(const WhereInput &input, const Value &at, const std::string &section,
+                    const std::size_t index, Where &where, std::string &name)
+    {
+      if (input.on)
+        where = *input.on;
+      else if (input.segment)
+        where = *input.segment;
+      else if (input.region)
+        where = *input.region;
+      name = label(at, section, index);
+      return input.on || input.segment || input.region;
+    }
+
+    void take_supports(Draft &draft, Complaints &complaints)
+    {
+      std::size_t index = 0;
+      for (const Value *at : tables(draft.root, "support", complaints))
+      {
+        SupportInput input;
+        take_section(*find_section("support"), *at, &input, complaints);
+        Support support{"", {}, input.displacement, at->place};
+        if (place_load(input, *at, "support", index++, support.where, support.name))
+        {
+          draft.scene.supports.push_back(support);
+          draft.supports.push_back(at);
+        }
+      }
+    }
+
+    void take_tractions(Draft &draft, Complaints &complaints)
+    {
+      std::size_t index = 0;
+      for (const Value *at : tables(draft.root, "traction", complaints))
+      {
+        TractionInput input;
+        take_section(*find_section("traction"), *at, &input, complaints);
+        Traction traction{"", {}, input.traction, at->place};
+        if (place_load(input, *at, "traction", index++, traction.where, traction.name))
+        {
+          draft.scene.tractions.push_back(traction);
+          draft.tractions.push_back(at);
+        }
+      }
+    }
+
+    void take_walls(Draft &draft, Complaints &complaints)
+    {
+      for (const Value *at : tables(draft.root, "wall", complaints))
+      {
+        Wall wall;
+        take_section(*find_section("wall"), *at, &wall, complaints);
+        if (wall.start_time)
+          wall.start_distance = -1.; // by time, not by distance
+        wall.place = at->place;
+        draft.scene.walls.push_back(wall);
+        draft.walls.push_back(at);
+      }
+    }
+
+    template <class Input, class Build>
+    void take_list(const std::string &name, Draft &draft, Complaints &complaints,
+                   const Build &build_one)
+    {
+      for (const Value *at : tables(draft.root, name, complaints))
+      {
+        Input input;
+        take_section(*find_section(name), *at, &input, complaints);
+        build_one(input, *at, draft, complaints);
+      }
+    }
+
+    void refuse_unknown_sections(const Value &root, Complaints &complaints)
+    {
+      std::vector<std::string> known = find_section("")->key_names();
+      for (const Section &section : sections())
+        if (!section.name.empty())
+          known.push_back(section.name);
+      for (const auto &[name, value] : root.entries)
+        if (!find_section("")->find(name) && !(find_section(name) && !name.empty()))
+          complaints.add(value, "there is no such section or key", listed(known),
+                         did_you_mean(name, known));
+      for (const Section &section : sections())
+        if (section.required && !root.find(section.name))
+          complaints.add(root, "section [" + section.name + "] is missing", "",
+                         "add [" + section.name + "]: " + section.sentence);
+    }
+  } // namespace
+
+  bool fits(const Form &form, const std::vector<Form> &all, const Value &at, Complaints &complaints)
+  {
+    const auto has = [](const std::vector<std::string> &list, const std::string &key)
+    { return std::find(list.begin(), list.end(), key) != list.end(); };
+    bool good = true;
+    for (const std::string &key : form.needed)
+      if (!at.find(key))
+      {
+        good = false;
+        complaints.add(at, form.name + " needs \"" + key + "\"", listed(form.needed),
+                       "add " + key + " = ...");
+      }
+    for (const auto &[key, value] : at.entries)
+      for (const Form &other : all)
+        if ((has(other.needed, key) || has(other.possible, key)) && !has(form.needed, key) &&
+            !has(form.possible, key))
+        {
+          good = false;
+          complaints.add(
+              value, "\"" + key + "\" belongs to " + other.name + ", not to " + form.name,
+              listed(form.needed) + (form.possible.empty() ? "" : ", " + listed(form.possible)),
+              "remove it");
+          break;
+        }
+    return good;
+  }
+
+  void build(Draft &draft, Complaints &complaints)
+  {
+    Scene &s = draft.scene;
+    const Value &root = draft.root;
+    refuse_unknown_sections(root, complaints);
+    Header header;
+    take_section(*find_section(""), root, &header, complaints);
+    s.title = header.title;
+    s.accuracy = header.accuracy ? word(*header.accuracy) : "";
+    UnitsInput units;
+    take_one("units", units, root, complaints);
+    s.units = units.system;
+    if (const Value *at = take_one("domain", s.domain, root, complaints))
+      s.domain.place = at->place;
+    if (const Value *at = take_one("clock", s.clock, root, complaints))
+      s.clock.place = at->place;
+    take_list<BodyInput>("body", draft, complaints, build_body);
+    take_supports(draft, complaints);
+    take_tractions(draft, complaints);
+    take_list<ProbeInput>("probe", draft, complaints, build_probe);
+    take_walls(draft, complaints);
+    take_modules(draft, complaints);
+  }
+} // namespace scene

@@ -1,0 +1,193 @@
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "scene/build.h"
+#include "scene/geometry.h"
+
+namespace scene
+{
+  namespace
+  {
+    const std::vector<Form> &shapes()
+    {
+      static const std::vector<Form> forms{
+          {"rectangle", {"corner", "size"}, {}},
+          {"disc", {"centre", "radius"}, {}},
+          {"ring", {"centre", "inner_radius", "outer_radius"}, {}},
+          {"polygon", {"vertices"}, {"holes"}},
+          {"outline", {"file"}, {}},
+          {"record", {"record", "probe"}, {"time", "cut_above", "cut_below"}}};
+      return forms;
+    }
+
+    std::string beside(const std::string &file, const std::string &path)
+    {
+      return (std::filesystem::path(file).parent_path() / path).lexically_normal().string();
+    }
+
+    std::vector<Polyline> outlines_of_file(const BodyInput &input, const Value &at, Draft &draft,
+                                           Complaints &complaints)
+    {
+      const Value &key = *at.find("file");
+      const std::string path = beside(key.place.file, *input.file);
+      std::ifstream stream(path);
+      std::error_code ignored;
+      if (!stream || !std::filesystem::is_regular_file(path, ignored))
+      {
+        complaints.add(key, path + ": there is no such file, or it cannot be read", "",
+                       "give a path relative to the scene file");
+        return {};
+      }
+      std::ostringstream text;
+      text << stream.rdbuf();
+      draft.file_texts += text.str();
+      try
+      {
+        return read_outlines(text.str(), path);
+      }
+      catch (const std::runtime_error &error)
+      {
+        complaints.add(key, error.what(), "lines of x,y; a blank line between outlines",
+                       "correct the file");
+        return {};
+      }
+    }
+
+    double size_of(const Polyline &line)
+    {
+      Point lower = line[0], upper = line[0];
+      for (const Point &p : line)
+      {
+        lower = lower.cwiseMin(p);
+        upper = upper.cwiseMax(p);
+      }
+      return (upper - lower).norm();
+    }
+
+    // Vertices that repeat, no area: nothing that a solid could fill.
+    void check_outlines(const std::vector<Polyline> &outlines, const Value &at,
+                        Complaints &complaints)
+    {
+      for (const Polyline &line : outlines)
+      {
+        if (line.size() < 3)
+        {
+          complaints.add(at, "an outline of " + std::to_string(line.size()) + " points",
+                         "at least three points", "add points");
+          continue;
+        }
+        const double size = size_of(line);
+        if (!(std::abs(signed_area(line)) > 1e-12 * size * size))
+          complaints.add(at, "an outline without area", "a closed outline around an area",
+                         "list the vertices in order around the body");
+        for (std::size_t i = 0; i < line.size(); ++i)
+          if ((line[(i + 1) % line.size()] - line[i]).norm() <= 1e-12 * size)
+          {
+            complaints.add(at,
+                           "the outline repeats the point (" + number_text(line[i][0]) + ", " +
+                               number_text(line[i][1]) + ")",
+                           "every vertex once; the outline is closed by itself",
+                           "remove the repeated point");
+            break;
+          }
+      }
+    }
+  } // namespace
+
+  std::vector<Polyline> read_outlines(const std::string &text, const std::string &file)
+  {
+    std::vector<Polyline> outlines;
+    bool inside = false;
+    int number = 0;
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);)
+    {
+      ++number;
+      const std::size_t first = line.find_first_not_of(" \t\r");
+      if (first == std::string::npos)
+      {
+        inside = false;
+        continue;
+      }
+      if (line[first] == '#')
+        continue;
+      std::replace(line.begin(), line.end(), ',', ' ');
+      std::istringstream words(line);
+      double x = 0., y = 0.;
+      std::string rest;
+      if (!(words >> x >> y) || (words >> rest) || !std::isfinite(x) || !std::isfinite(y))
+        throw std::runtime_error(file + ":" + std::to_string(number) + ": \"" + line +
+                                 "\" is not two numbers x,y");
+      if (!inside)
+        outlines.emplace_back();
+      inside = true;
+      outlines.back().emplace_back(x, y);
+    }
+    // A program that repeats the first vertex to close the outline means the same outline.
+    for (Polyline &outline : outlines)
+      if (outline.size() > 3 && outline.front() == outline.back())
+        outline.pop_back();
+    if (outlines.empty())
+      throw std::runtime_error(file + ": it holds no points");
+    return outlines;
+  }
+
+  void build_body(const BodyInput &input, const Value &at, Draft &draft, Complaints &complaints)
+  {
+    Body body;
+    body.name = input.name
+                    ? *input.name
+                    : "body " + std::to_string(&at - draft.root.find("body")->items.data() + 1);
+    body.velocity = input.velocity;
+    body.initial_stress = input.initial_stress;
+    body.place = at.place;
+    const std::size_t before = complaints.count();
+    if (!input.shape ||
+        !fits(shapes().at(static_cast<std::size_t>(*input.shape)), shapes(), at, complaints) ||
+        complaints.about(at))
+      return;
+    switch (*input.shape)
+    {
+    case Shape::rectangle:
+      body.shape = Rectangle{*input.corner, *input.size};
+      break;
+    case Shape::disc:
+      body.shape = Disc{*input.centre, *input.radius};
+      break;
+    case Shape::ring:
+      if (*input.inner_radius >= *input.outer_radius)
+        complaints.add(*at.find("inner_radius"), "the inner radius is not below the outer one",
+                       "inner_radius < outer_radius", "exchange them");
+      body.shape = Ring{*input.centre, *input.inner_radius, *input.outer_radius};
+      break;
+    case Shape::polygon:
+    {
+      Polygon polygon{{*input.vertices}};
+      if (input.holes)
+        polygon.outlines.insert(polygon.outlines.end(), input.holes->begin(), input.holes->end());
+      check_outlines(polygon.outlines, *at.find("vertices"), complaints);
+      body.shape = polygon;
+      break;
+    }
+    case Shape::outline:
+    {
+      Polygon polygon{outlines_of_file(input, at, draft, complaints)};
+      check_outlines(polygon.outlines, *at.find("file"), complaints);
+      body.shape = polygon;
+      break;
+    }
+    case Shape::record:
+      body.shape =
+          RecordedOutline{beside(at.find("record")->place.file, *input.record), *input.probe,
+                          input.time.value_or(-1.), input.cut_above, input.cut_below};
+      break;
+    }
+    if (complaints.count() > before)
+      return;
+    draft.scene.bodies.push_back(body);
+    draft.bodies.push_back(&at);
+  }
+} // namespace scene

@@ -1,0 +1,108 @@
+#include "scene/complaints.h"
+
+#include <algorithm>
+#include <map>
+
+#include "scene/document.h"
+#include "scene/reader.h"
+
+namespace scene
+{
+  namespace
+  {
+    // Optimal string alignment: insertions, deletions, substitutions and swaps of neighbours.
+    std::size_t edit_distance(const std::string &a, const std::string &b)
+    {
+      std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+      for (std::size_t i = 0; i <= a.size(); ++i)
+        for (std::size_t j = 0; j <= b.size(); ++j)
+        {
+          if (i == 0 || j == 0)
+          {
+            d[i][j] = i + j;
+            continue;
+          }
+          d[i][j] = std::min(
+              {d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + (a[i - 1] != b[j - 1])});
+          if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+            d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+        }
+      return d[a.size()][b.size()];
+    }
+  } // namespace
+
+  void Complaints::add(const Value &at, const std::string &cause, const std::string &allowed,
+                       const std::string &remedy)
+  {
+    const std::string where = at.place.file + ":" + std::to_string(at.place.line) + ": " +
+                              (at.place.key.empty() ? "" : at.place.key + ": ");
+    std::string text = underlined(at, where + cause);
+    if (!allowed.empty())
+      text += "\n  allowed: " + allowed;
+    if (!remedy.empty())
+      text += "\n  remedy: " + remedy;
+    list.push_back({at.place, text});
+  }
+
+  void Complaints::add(const Place &place, const std::string &text)
+  {
+    list.push_back({place, text});
+  }
+
+  bool Complaints::about(const Value &value) const
+  {
+    const std::string &path = value.place.key;
+    return std::any_of(list.begin(), list.end(),
+                       [&](const Complaint &c) {
+                         return c.place.key == path ||
+                                c.place.key.compare(0, path.size() + 1, path + ".") == 0;
+                       });
+  }
+
+  std::string Complaints::text() const
+  {
+    std::map<std::string, std::size_t> order; // files as they first appear
+    for (const Complaint &c : list)
+      order.emplace(c.place.file, order.size());
+    std::vector<Complaint> sorted = list;
+    std::stable_sort(sorted.begin(), sorted.end(),
+                     [&](const Complaint &a, const Complaint &b)
+                     {
+                       return std::make_pair(order.at(a.place.file), a.place.line) <
+                              std::make_pair(order.at(b.place.file), b.place.line);
+                     });
+    std::string result = list.size() == 1
+                             ? "the scene has 1 error\n"
+                             : "the scene has " + std::to_string(list.size()) + " errors\n";
+    for (const Complaint &c : sorted)
+      result += "\n" + c.text + "\n";
+    return result;
+  }
+
+  void Complaints::settle() const
+  {
+    if (!list.empty())
+      throw BadScene(text());
+  }
+
+  std::string did_you_mean(const std::string &written, const std::vector<std::string> &known)
+  {
+    std::size_t nearest = written.size() / 3 + 2;
+    std::string best;
+    for (const std::string &candidate : known)
+      if (const std::size_t distance = edit_distance(written, candidate); distance < nearest)
+      {
+        nearest = distance;
+        best = candidate;
+      }
+    return best.empty() ? "" : "did you mean \"" + best + "\"?";
+  }
+
+  std::string listed(const std::vector<std::string> &words)
+  {
+    std::string text;
+    for (const std::string &word : words)
+      text += (text.empty() ? "" : ", ") + word;
+    return text;
+  }
+} // namespace scene

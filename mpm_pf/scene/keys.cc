@@ -1,0 +1,124 @@
+#include "scene/keys.h"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+
+namespace scene
+{
+  std::string unit_text(const Dimension dimension, const Units units)
+  {
+    // Indexed by Dimension: SI, then lengths in W0, times in tau0, stresses in sigma_Y.
+    static const std::array<std::array<const char *, 2>, 12> texts{
+        {{"", ""},
+         {"m", "W0"},
+         {"m^2", "W0^2"},
+         {"s", "tau0"},
+         {"m/s", "W0/tau0"},
+         {"s/m", "tau0/W0"},
+         {"m/s^2", "W0/tau0^2"},
+         {"Pa", "sigma_Y"},
+         {"kg/m^3", "sigma_Y tau0^2/W0^2"},
+         {"Pa s", "sigma_Y tau0"},
+         {"m^2/s", "W0^2/tau0"},
+         {"degrees", "degrees"}}};
+    return texts.at(static_cast<std::size_t>(dimension)).at(units == Units::si ? 0 : 1);
+  }
+
+  bool Range::holds(const double value) const
+  {
+    return (with_lower ? value >= lower : value > lower) &&
+           (with_upper ? value <= upper : value < upper);
+  }
+
+  std::string Range::text() const
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    std::string text;
+    if (lower > -infinity)
+      text = (with_lower ? "at least " : "greater than ") + number_text(lower);
+    if (upper < infinity)
+      text += (text.empty() ? "" : ", ") + std::string(with_upper ? "at most " : "less than ") +
+              number_text(upper);
+    return text;
+  }
+
+  const Key *Section::find(const std::string_view key) const
+  {
+    const auto at =
+        std::find_if(keys.begin(), keys.end(), [&](const Key &k) { return k.name == key; });
+    return at == keys.end() ? nullptr : &*at;
+  }
+
+  std::vector<std::string> Section::key_names() const
+  {
+    std::vector<std::string> names;
+    for (const Key &key : keys)
+      names.push_back(key.name);
+    return names;
+  }
+
+  const std::vector<Section> &sections()
+  {
+    static const std::vector<Section> all = []
+    {
+      std::vector<Section> result;
+      for (auto part : {domain_sections, solid_sections, probe_sections, solver_sections,
+                        melt_sections, motion_sections})
+        for (Section &section : part())
+          result.push_back(std::move(section));
+      return result;
+    }();
+    return all;
+  }
+
+  const Section *find_section(const std::string_view name)
+  {
+    const auto &all = sections();
+    const auto at =
+        std::find_if(all.begin(), all.end(), [&](const Section &s) { return s.name == name; });
+    return at == all.end() ? nullptr : &*at;
+  }
+
+  namespace
+  {
+    void check_alternatives(const Section &section, const Value &table, Complaints &complaints)
+    {
+      for (const Alternatives &choice : section.alternatives)
+      {
+        std::vector<const Value *> present;
+        std::vector<std::string> names;
+        for (const std::string &key : choice.keys)
+          if (const Value *value = table.find(key))
+          {
+            present.push_back(value);
+            names.push_back(key);
+          }
+        if (present.size() > 1)
+          complaints.add(*present[1], listed(names) + " exclude each other",
+                         "one of " + listed(choice.keys), "keep the one that is meant");
+        if (present.empty() && choice.required)
+          complaints.add(table, "nothing says which of " + listed(choice.keys) + " is meant",
+                         "one of " + listed(choice.keys), "add one");
+      }
+    }
+  } // namespace
+
+  void take_section(const Section &section, const Value &table, void *target,
+                    Complaints &complaints)
+  {
+    for (const auto &[name, value] : table.entries)
+      if (const Key *key = section.find(name))
+        key->take(value, target, complaints);
+      else if (!section.name.empty())
+        complaints.add(value, "there is no such key", listed(section.key_names()),
+                       did_you_mean(name, section.key_names()));
+    for (const Key &key : section.keys)
+      if (key.required && !table.find(key.name))
+        complaints.add(table, "\"" + key.name + "\" is missing (" + key.sentence + ")",
+                       key.kind + (key.allowed.range.text().empty() ? "" : ", ") +
+                           key.allowed.range.text(),
+                       "add " + key.name + " = ...");
+    check_alternatives(section, table, complaints);
+  }
+} // namespace scene

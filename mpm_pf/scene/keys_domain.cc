@@ -1,0 +1,62 @@
+#include "scene/inputs.h"
+#include "scene/take.h"
+
+namespace scene
+{
+  namespace
+  {
+    Section top()
+    {
+      return Keys<Header>("", "Keys before the first section.")
+          .add("title", &Header::title, any(), "One line that says what this scene is.",
+               "printed in the banner, the record and the report")
+          .add("accuracy", &Header::accuracy, any(),
+               "A preset of settings by wanted accuracy; explicit keys override it.",
+               "absent: every setting has its own default")
+          .add("include", &Header::include, any(),
+               "Scene file, or list of them, relative to this file, on which this file is laid: "
+               "sections merge key by key, [[...]] entries merge by name, new ones are appended.",
+               "a quick or rotated variant then states only what differs")
+          .optional();
+    }
+
+    Section units()
+    {
+      return Keys<UnitsInput>("units", "Unit system of all numbers; it changes what is printed.")
+          .add("system", &UnitsInput::system, any(),
+               "SI, or lengths in W0, times in tau0 and stresses in sigma_Y.",
+               "mechanics is usually stated in SI, crystal growth in W0 and tau0")
+          .optional();
+    }
+
+    Section domain()
+    {
+      return Keys<Domain>("domain", "The regular mesh on which everything happens.")
+          .add("origin", &Domain::lower, any(Dimension::length), "Lower left corner.",
+               "most scenes start at the origin")
+          .require("size", &Domain::size, positive(Dimension::length), "Width and height.", "")
+          .require("cells", &Domain::cells, between(1, 100000),
+                   "Number of cells in x and y (cells, not nodes).", "")
+          .add("boundary", &Domain::boundary, any(),
+               "Condition on all sides, or side by side: no_flux (no gradient across, material "
+               "must not arrive), symmetry (the same, material slides), periodic, fixed.",
+               "a closed box conserves heat")
+          .required();
+    }
+
+    Section clock()
+    {
+      return Keys<Clock>("clock", "How long, and in what coupling steps.")
+          .require("end", &Clock::end, positive(Dimension::time), "Time at which the run ends.", "")
+          .add("step", &Clock::step, positive(Dimension::time),
+               "Coupling step between solid, advection and growth.",
+               "absent: the largest step that every module's limit allows")
+          .required();
+    }
+  } // namespace
+
+  std::vector<Section> domain_sections()
+  {
+    return {top(), units(), domain(), clock()};
+  }
+} // namespace scene

@@ -1,0 +1,69 @@
+#include "scene/take.h"
+
+namespace scene
+{
+  namespace
+  {
+    Section wall()
+    {
+      return Keys<Wall>("wall", "A rigid wall that starts at a side and moves inward.")
+          .require("side", &Wall::side, any(), "The side of the domain it starts from.", "")
+          .add("speed", &Wall::speed, not_negative(Dimension::speed), "Inward speed.",
+               "a wall at rest")
+          .add("travel", &Wall::travel, not_negative(Dimension::length),
+               "Inward travel at which it stops.", "a wall at rest")
+          .add("start_distance", &Wall::start_distance, not_negative(Dimension::length),
+               "Gap between wall and phi = 0 at which it starts.",
+               "a tip never touches a wall at rest, since its heat fills the gap")
+          .add("start_time", &Wall::start_time, not_negative(Dimension::time),
+               "Time at which it starts, instead.", "absent: start_distance says when")
+          .add("ramp", &Wall::ramp, not_negative(Dimension::time),
+               "Time over which the speed rises smoothly.",
+               "none; at least 10 elastic transits keep waves small")
+          .add("grip", &Wall::grip, any(), "Does the solid stick to it or slip along it?",
+               "the paper's walls hold the arms")
+          .exclusive({"start_distance", "start_time"})
+          .repeated();
+    }
+
+    Section imposed()
+    {
+      return Keys<Imposed>("imposed", "A given motion instead of a solid, Sec. 2.3.2.")
+          .require("velocity", &Imposed::velocity, any(Dimension::speed),
+                   "Velocity in x and y, of x, y and t, over the whole domain.", "")
+          .optional();
+    }
+
+    Section advection()
+    {
+      return Keys<Advection>("advection", "How phi, theta and the crystal angle are carried.")
+          .add("scheme", &Advection::scheme, any(), "Advection scheme.",
+               "CIP keeps a tanh profile at third order from one cell of neighbours")
+          .add("step_fraction", &Advection::step_fraction, up_to(1.),
+               "Cells that the motion may cross per step and axis.",
+               "the paper's; accuracy hardly depends on it")
+          .add("interval", &Advection::interval, between(1, 1000),
+               "Advect only every so many coupling steps.", "slow walls allow 10 to 50")
+          .add("analytic_gradients", &Advection::analytic_gradients, any(),
+               "Start CIP's gradient fields from the exact profile.",
+               "differences would spend the third order on the first step")
+          .optional();
+    }
+
+    Section extension()
+    {
+      return Keys<Extension>("extension", "How the solid's velocity is carried into the melt.")
+          .add("method", &Extension::method, any(), "Closest point, or a PDE in pseudo-time.",
+               "the same order, cheaper, without a count of iterations to choose")
+          .add("band", &Extension::band, positive(),
+               "Width of the band in cells beyond which the melt's velocity fades.",
+               "wider than the diffuse interface")
+          .optional();
+    }
+  } // namespace
+
+  std::vector<Section> motion_sections()
+  {
+    return {wall(), imposed(), advection(), extension()};
+  }
+} // namespace scene

@@ -1,0 +1,71 @@
+#include "scene/take.h"
+
+namespace scene
+{
+  namespace
+  {
+    Section mpm()
+    {
+      return Keys<Mpm>("mpm", "Settings of the material points; read by mpm_pf only.")
+          .add("points_per_cell", &Mpm::points_per_cell, between(1, 16),
+               "Material points per cell in x and y.",
+               "2 x 2 is the paper's; 3 x 3 delays numerical fracture under large stretch")
+          .add("shape_function", &Mpm::shape_function, any(), "How points and nodes weigh.",
+               "quadratic splines bridge gaps up to two cells where uGIMP breaks up; they are made "
+               "interpolating at held lines")
+          .add("transfer", &Mpm::transfer, any(), "What goes between points and nodes.",
+               "an affine transfer neither tears as FLIP nor damps as PIC")
+          .add("flip_fraction", &Mpm::flip_fraction, between(0., 1.),
+               "Part of FLIP in a FLIP-PIC blend, with transfer = flip.",
+               "the usual compromise between noise and damping")
+          .add("anti_locking", &Mpm::anti_locking, any(),
+               "Average the volumetric strain rate over each cell and relax point pressures to "
+               "the cell mean.",
+               "absent: on for solids with a yield stress, whose flow is isochoric and locks "
+               "without it")
+          .add("pressure_relaxation", &Mpm::pressure_relaxation, between(0., 1.),
+               "Part of the way to the cell mean that a point's pressure goes per step.",
+               "without it cell averaging leaves pressures that never meet; 0.01 to 1 give the "
+               "same answers")
+          .add("step_fraction", &Mpm::step_fraction, up_to(1.), "Step as a part of dx/(c_p + |v|).",
+               "0.2 to 0.7 give the same answers; 0.4 leaves room for badly filled cells")
+          .add("mach", &Mpm::mach, inside(0., 1.),
+               "Wanted ratio of the reference speed to the wave speed: the density is scaled to "
+               "it.",
+               "absent: the true density; for quasi-static loading 1e-3 to 2e-3 costs 1 % of the "
+               "force")
+          .add("reference_speed", &Mpm::reference_speed, positive(Dimension::speed),
+               "Speed that mach refers to.", "absent: the largest speed of supports and walls")
+          .add("split_points", &Mpm::split_points, any(),
+               "Split points that have stretched over more than a cell.",
+               "splines hold together without it in all cases of the paper")
+          .optional();
+    }
+
+    Section fe()
+    {
+      return Keys<Fe>("fe", "Settings of the finite elements; read by fe_reference only.")
+          .add("cells", &Fe::cells, between(0, 10000),
+               "Cells in x and y over the bodies' bounding box; 0: as fine as the domain's cells.",
+               "comparable resolution without a word")
+          .add("degree", &Fe::degree, between(1, 4), "Polynomial degree of the displacement.",
+               "quadratic elements with reduced integration do not lock")
+          .add("load_steps", &Fe::load_steps, between(1, 10000000),
+               "Steps to the end; a step that does not converge is retried smaller.",
+               "1 % of the way each resolves the yielding of all cases of the paper")
+          .add("tolerance", &Fe::tolerance, inside(0., 1.),
+               "Relative residual at which Newton's method stops.",
+               "far below the discretisation error, above round-off")
+          .add("grading", &Fe::grading, Allowed{Dimension::none, {0., 1., true, false}},
+               "0: uniform; towards 1: finer near clamped corners.", "only clamped corners need it")
+          .add("past_folding", &Fe::past_folding, any(),
+               "Go on after the mesh folds, marked invalid.", "an answer on a folded mesh is none")
+          .optional();
+    }
+  } // namespace
+
+  std::vector<Section> solver_sections()
+  {
+    return {mpm(), fe()};
+  }
+} // namespace scene

@@ -1,0 +1,103 @@
+#include "scene/merge.h"
+
+#include <algorithm>
+
+#include "scene/keys.h"
+
+namespace scene
+{
+  namespace
+  {
+    // A later `every` replaces an earlier `times`: they exclude each other.
+    void drop_excluded(Value &base, const Value &over, const std::string &section)
+    {
+      const Section *known = find_section(section);
+      if (!known)
+        return;
+      for (const Alternatives &choice : known->alternatives)
+        for (const std::string &key : choice.keys)
+          if (over.find(key))
+            for (const std::string &other : choice.keys)
+              if (!over.find(other))
+                base.erase(other);
+    }
+
+    void merge_tables(Value &base, const Value &over, const std::string &section);
+
+    void merge_lists(Value &base, const Value &over, const std::string &section)
+    {
+      for (const Value &item : over.items)
+      {
+        Value *same = nullptr;
+        for (std::size_t i = 0; i < base.items.size(); ++i)
+          if ((item.find("name") || item.find("on") || item.find("side")) &&
+              label(base.items[i], section, i) == label(item, section, 0))
+            same = &base.items[i];
+        if (same)
+          merge_tables(*same, item, section);
+        else
+          base.items.push_back(item);
+      }
+    }
+
+    void merge_tables(Value &base, const Value &over, const std::string &section)
+    {
+      drop_excluded(base, over, section);
+      for (const auto &[key, value] : over.entries)
+      {
+        Value *present = base.find(key);
+        const std::string below = section.empty() ? key : section + "." + key;
+        if (present && present->kind == Value::Kind::table && value.kind == Value::Kind::table)
+          merge_tables(*present, value, below);
+        else if (present && present->is_list_of_tables() && value.is_list_of_tables())
+          merge_lists(*present, value, below);
+        else
+          base.set(key, value);
+      }
+    }
+
+    void override_list(Value &list, const Value &over, const std::string &section,
+                       Complaints &complaints)
+    {
+      std::vector<std::string> labels;
+      for (std::size_t i = 0; i < list.items.size(); ++i)
+        labels.push_back(label(list.items[i], section, i));
+      for (const auto &[name, value] : over.entries)
+      {
+        auto at = std::find(labels.begin(), labels.end(), name);
+        for (std::size_t i = 0; i < labels.size() && at == labels.end(); ++i)
+          if (name == std::to_string(i + 1))
+            at = labels.begin() + static_cast<std::ptrdiff_t>(i);
+        if (at == labels.end() || value.kind != Value::Kind::table)
+          complaints.add(value, "there is no [[" + section + "]] \"" + name + "\" to override",
+                         listed(labels), did_you_mean(name, labels));
+        else
+          merge_tables(list.items[static_cast<std::size_t>(at - labels.begin())], value, section);
+      }
+    }
+  } // namespace
+
+  void merge(Value &base, const Value &over)
+  {
+    merge_tables(base, over, "");
+  }
+
+  void override_with(Value &base, const Value &over, Complaints &complaints)
+  {
+    Value rest = over;
+    for (const auto &[key, value] : over.entries)
+      if (value.kind == Value::Kind::table)
+      {
+        Value *present = base.find(key);
+        const Section *section = find_section(key);
+        if (present && present->is_list_of_tables())
+          override_list(*present, value, key, complaints);
+        else if (section && section->repeated)
+          complaints.add(value, "there is no [[" + key + "]] to override");
+        else
+          continue;
+        rest.erase(key);
+      }
+    merge(base, rest);
+  }
+} // namespace scene
