@@ -102,8 +102,9 @@ namespace record
       return std::size_t(std::upper_bound(times.begin(), times.end(), time) - times.begin());
     }
 
+    /// What is declared in `folder`, cut off after `time`; `kept` gets the last time of each.
     std::map<std::string, Series> take_up(const hid_t file, const std::string &folder,
-                                          const double time)
+                                          const double time, std::map<std::string, double> &kept)
     {
       std::map<std::string, Series> all;
       for (const std::string &name : hdf5::members(file, folder))
@@ -113,12 +114,15 @@ namespace record
         series.in_file = true;
         series.columns.names = hdf5::texts_attribute(group, "columns");
         series.columns.units = hdf5::texts_attribute(group, "units");
-        const auto kept = count_until(hdf5::read<double>(group, "time"), time);
-        hdf5::keep_rows(group, "time", kept);
-        hdf5::keep_rows(group, "values", kept);
+        const auto times = hdf5::read<double>(group, "time");
+        const auto rows = count_until(times, time);
+        hdf5::keep_rows(group, "time", rows);
+        hdf5::keep_rows(group, "values", rows);
+        if (rows > 0)
+          kept[folder + "/" + name] = times[rows - 1];
         if (hdf5::exists(group, "position"))
         {
-          hdf5::keep_rows(group, "position", kept);
+          hdf5::keep_rows(group, "position", rows);
           hdf5::Shape shape;
           hdf5::read<double>(group, "position", &shape);
           series.positions = shape.at(1);
@@ -127,15 +131,16 @@ namespace record
       return all;
     }
 
-    void forget_later(const hid_t file, const std::string &folder, const double time)
+    void forget_later(const hid_t file, const std::string &folder, const double time,
+                      std::map<std::string, double> &kept)
     {
       for (const std::string &name : hdf5::members(file, folder))
-        for (const std::string &index : hdf5::members(file, folder + "/" + name))
+        for (const std::string &path : hdf5::numbered(file, folder + "/" + name))
         {
-          const std::string path = folder + "/" + name + "/" + index;
-          const bool later =
-              !(hdf5::number_attribute(hdf5::open_group(file, path), "time") <= time);
-          if (later)
+          const double taken = hdf5::number_attribute(hdf5::open_group(file, path), "time");
+          if (taken <= time)
+            kept[folder + "/" + name] = taken;
+          else // later, or not even finished
             hdf5::remove(file, path);
         }
     }
@@ -148,11 +153,19 @@ namespace record
            std::chrono::steady_clock::now() - last_write > longest_wait;
   }
 
+  bool Pending::is_there(const std::string &path, const double time) const
+  {
+    const auto kept = kept_until.find(path);
+    return kept != kept_until.end() && time <= kept->second;
+  }
+
   bool Pending::add_row(const std::string &name, const Columns &columns, const double time,
                         const std::vector<double> &row)
   {
     require_values(name, row.size(), columns.names.size());
     Series &series = declared(tables, name, columns, 0);
+    if (is_there("tables/" + name, time))
+      return false;
     series.time.push_back(time);
     append(series.values, row);
     return is_due(sizeof(double) * (1 + row.size()));
@@ -166,6 +179,8 @@ namespace record
       throw std::invalid_argument(name + ": a line needs positions");
     require_values(name, sample.values.size(), columns.names.size() * positions);
     Series &series = declared(lines, name, columns, positions);
+    if (is_there("lines/" + name, time))
+      return false;
     series.time.push_back(time);
     append(series.position, flattened(sample.position));
     append(series.values, sample.values);
@@ -175,6 +190,8 @@ namespace record
   bool Pending::add_outline(const std::string &name, const double time,
                             const std::vector<Polyline> &curves)
   {
+    if (is_there("outlines/" + name, time))
+      return false;
     outlines[name].push_back({time, curves});
     std::size_t bytes = 0;
     for (const Polyline &curve : curves)
@@ -206,6 +223,8 @@ namespace record
                                const Snapshot &snapshot)
   {
     const std::string folder = "snapshots/" + name;
+    if (is_there(folder, time))
+      return;
     const std::string index = std::to_string(hdf5::members(file, folder).size());
     const hdf5::Handle group = hdf5::open_group(file, folder + "/" + index, true);
     const auto nx = hsize_t(snapshot.nodes[0]), ny = hsize_t(snapshot.nodes[1]);
@@ -247,9 +266,9 @@ namespace record
 
   void Pending::go_on(const hid_t file, const double time)
   {
-    tables = take_up(file, "tables", time);
-    lines = take_up(file, "lines", time);
-    forget_later(file, "outlines", time);
-    forget_later(file, "snapshots", time);
+    tables = take_up(file, "tables", time, kept_until);
+    lines = take_up(file, "lines", time, kept_until);
+    forget_later(file, "outlines", time, kept_until);
+    forget_later(file, "snapshots", time, kept_until);
   }
 } // namespace record

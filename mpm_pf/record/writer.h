@@ -88,9 +88,9 @@ namespace record
     /// cannot be written.
     Writer(const std::string &path, const Provenance &, const scene::Scene &, bool force);
     /// Goes on with the <path>.part of an interrupted run from a checkpoint at `time`: rows,
-    /// outlines and snapshots later than that are forgotten. Call flush() before saving a
-    /// checkpoint, so that all up to its time is there. Throws std::runtime_error if there is no
-    /// such file or it belongs to another scene.
+    /// outlines and snapshots later than that are forgotten, and what is observed again of those
+    /// kept is dropped. Call flush() before saving a checkpoint. Throws std::runtime_error if there
+    /// is no such file or it belongs to another scene.
     struct Resume
     {
       double time = 0.;

@@ -76,6 +76,25 @@ TEST(ResumedRecord, EqualsAnUninterruptedOne)
             std::string::npos);
 }
 
+TEST(ResumedRecord, DropsLateRowsOfWindowsThatItHasAlready)
+{
+  // A mean over a window of +-1 about t = 2 comes at t = 3, after the checkpoint at 2.5.
+  const Scratch scratch;
+  const Columns column{{"force_x"}, {"N"}};
+  {
+    Writer writer(scratch / "a.h5", {}, scene_of_hash("1"), false);
+    writer.table("reaction", column, 1., {10.});
+    writer.flush(); // the checkpoint
+    writer.table("reaction", column, 2., {20.});
+    writer.table("reaction", column, 3., {30.});
+  }
+  Writer writer(scratch / "a.h5", {}, scene_of_hash("1"), Writer::Resume{2.5});
+  for (int k = 2; k <= 4; ++k)
+    writer.table("reaction", column, k, {10. * k});
+  writer.finish({});
+  EXPECT_EQ(Reader(scratch / "a.h5").table("reaction").time, (std::vector<double>{1., 2., 3., 4.}));
+}
+
 TEST(ResumedRecord, KeepsTheColumnsDeclaredBefore)
 {
   const Scratch scratch;
