@@ -1,0 +1,144 @@
+#include "medium/distance.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "medium/contour.h"
+
+namespace medium
+{
+  namespace
+  {
+    Mesh box_mesh(int cells, Boundary sides = Boundary::no_flux)
+    {
+      scene::Domain domain;
+      domain.lower = {-1., -1.}, domain.size = {2., 2.}, domain.cells = {cells, cells};
+      domain.boundary = {sides, sides, sides, sides};
+      return make_mesh(domain);
+    }
+
+    template <class Function>
+    Field<double> phase_field(const Mesh &mesh, double width, Function distance)
+    {
+      Field<double> phi(mesh);
+      for (int j = 0; j < mesh.nodes[1]; ++j)
+        for (int i = 0; i < mesh.nodes[0]; ++i)
+          phi(i, j) = std::tanh(distance(mesh.position(i, j)) / (std::sqrt(2.) * width));
+      fill_ghosts(phi, mesh);
+      return phi;
+    }
+
+    template <class Function>
+    double largest_error(const Mesh &mesh, const Distance &distance, Function exact)
+    {
+      double error = 0.;
+      for (int j = 0; j < mesh.nodes[1]; ++j)
+        for (int i = 0; i < mesh.nodes[0]; ++i)
+        {
+          const double here = exact(mesh.position(i, j));
+          if (std::abs(here) < distance.band - 2. * mesh.spacing[0])
+            error = std::max(error, std::abs(distance.psi(i, j) - here));
+        }
+      return error;
+    }
+
+    double circle(const Point &x)
+    {
+      return 0.6 - (x - Point(0.013, -0.021)).norm();
+    }
+  } // namespace
+
+  TEST(Distance, IsAtLeastSecondOrderOnACircle)
+  {
+    // Fixed width of profile and of band: the error is that of the discretisation alone.
+    double error[3];
+    for (int level = 0; level < 3; ++level)
+    {
+      const Mesh mesh = box_mesh(40 << level);
+      Distance distance(mesh, 6 << level);
+      measure(distance, phase_field(mesh, 0.1, circle), mesh);
+      error[level] = largest_error(mesh, distance, circle);
+    }
+    EXPECT_LT(error[0], 1e-3 * 0.05);
+    EXPECT_GT(std::log2(error[0] / error[1]), 1.9);
+    EXPECT_GT(std::log2(error[1] / error[2]), 1.9);
+  }
+
+  TEST(Distance, KeepsTheContourInPlace)
+  {
+    const Mesh mesh = box_mesh(80);
+    const double h = mesh.spacing[0];
+    for (const double width : {1., 2., 2.5})
+    {
+      Distance distance(mesh, 8.);
+      Field<double> phi = phase_field(mesh, width * h, circle);
+      for (int call = 0; call < 10; ++call) // and it does not drift when repeated
+      {
+        measure(distance, phi, mesh);
+        phi = phase_field(mesh, 1., [](const Point &) { return 0.; });
+        for (int j = 0; j < mesh.nodes[1]; ++j)
+          for (int i = 0; i < mesh.nodes[0]; ++i)
+            phi(i, j) = std::tanh(distance.psi(i, j) / (std::sqrt(2.) * width * h));
+        fill_ghosts(phi, mesh);
+      }
+      for (const Polyline &line : contour(phi, mesh))
+        for (const Point &vertex : line)
+          EXPECT_LT(std::abs(circle(vertex)), 0.01 * h) << "after ten calls, W0/dx = " << width;
+    }
+  }
+
+  TEST(Distance, TakesTheNearerOfTwoDiscs)
+  {
+    const Mesh mesh = box_mesh(80);
+    const auto two = [](const Point &x) {
+      return std::max(0.3 - (x - Point(-0.4, 0.03)).norm(), 0.25 - (x - Point(0.41, -0.02)).norm());
+    };
+    Distance distance(mesh, 20.);
+    measure(distance, phase_field(mesh, 0.05, two), mesh);
+    EXPECT_LT(largest_error(mesh, distance, two), 0.02 * mesh.spacing[0]); // its centres included
+  }
+
+  TEST(Distance, StaysFiniteAtCornersAndOnSharpProfiles)
+  {
+    const Mesh mesh = box_mesh(60);
+    const double h = mesh.spacing[0];
+    const auto square = [](const Point &x)
+    { return 0.5 - std::max(std::abs(x[0] - 0.007), std::abs(x[1] + 0.003)); };
+    const auto exact = [&](const Point &x) // Euclidean distance outside the corners
+    {
+      const Point out = (x - Point(0.007, -0.003)).cwiseAbs() - Point(0.5, 0.5);
+      return out.minCoeff() > 0. ? -out.norm() : -out.maxCoeff();
+    };
+    for (const double width : {0.1, 1., 2.})
+    {
+      Distance distance(mesh, 8.);
+      measure(distance, phase_field(mesh, width * h, square), mesh);
+      const double error = largest_error(mesh, distance, exact);
+      EXPECT_TRUE(std::isfinite(error));
+      EXPECT_LT(error, 0.75 * h) << "W0/dx = " << width; // the corner itself is no crossing
+    }
+  }
+
+  TEST(Distance, ReachesAcrossPeriodicSides)
+  {
+    const Mesh mesh = box_mesh(64, Boundary::periodic);
+    const auto stripe = [](const Point &x) { return 0.1 - std::abs(x[0] - 0.87); };
+    const auto wrapped = [&](const Point &x)
+    { return std::max(stripe(x), stripe(x + Point(2., 0.))); };
+    Distance distance(mesh, 10.);
+    measure(distance, phase_field(mesh, 0.06, wrapped), mesh);
+    EXPECT_LT(largest_error(mesh, distance, wrapped), 0.01 * mesh.spacing[0]);
+    EXPECT_GE(distance.piece(2, 10), 0);
+  }
+
+  TEST(Distance, HasNoBandWithoutAnInterface)
+  {
+    const Mesh mesh = box_mesh(20);
+    Distance distance(mesh, 5.);
+    measure(distance, Field<float>(mesh, -1.f), mesh);
+    EXPECT_EQ(distance.psi(3, 7), -distance.band);
+    EXPECT_EQ(distance.piece(3, 7), -1);
+    EXPECT_THROW(Distance(mesh, 2.), std::invalid_argument);
+  }
+} // namespace medium
