@@ -2,6 +2,7 @@
 #include "scene/expression.h"
 #include "scene/keys.h"
 #include "scene/reader.h"
+#include "scene/rules.h"
 
 namespace scene
 {

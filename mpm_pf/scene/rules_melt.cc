@@ -1,0 +1,150 @@
+#include <algorithm>
+#include <cmath>
+
+#include "scene/choices.h"
+#include "scene/expression.h"
+#include "scene/rules_list.h"
+
+namespace scene
+{
+  namespace
+  {
+    // Thin-interface constants of the quartic double well in the plane (Karma and Rappel 1998).
+    constexpr double a1 = 0.8839, a2 = 0.6267;
+    constexpr double tolerance = 0.01;
+
+    bool sound(const Inspection &in, const char *section)
+    {
+      return in.present(section) && !in.complaints.about(in.at(section));
+    }
+
+    int axis_of(const Edge side)
+    {
+      return side == Edge::left || side == Edge::right ? 0 : 1;
+    }
+  } // namespace
+
+  void walls_have_room(const Inspection &in)
+  {
+    std::array<double, 2> travel{0., 0.};
+    for (std::size_t i = 0; i < in.scene().walls.size(); ++i)
+    {
+      const Wall &wall = in.scene().walls[i];
+      const Value &at = *in.draft.walls[i];
+      if (in.complaints.about(at))
+        continue;
+      if ((wall.speed > 0.) != (wall.travel > 0.))
+        in.complain(at,
+                    wall.speed > 0. ? "the wall has a speed but no travel: it would stop before "
+                                      "it starts"
+                                    : "the wall has a travel but no speed",
+                    "speed and travel together", "give both, or neither for a wall at rest");
+      double &sum = travel[static_cast<std::size_t>(axis_of(wall.side))];
+      sum += wall.travel;
+      if (sound(in, "domain") && sum >= in.scene().domain.size[axis_of(wall.side)])
+        in.complain(at, "the walls travel " + number_text(sum) + ", across the whole domain",
+                    "less than " + number_text(in.scene().domain.size[axis_of(wall.side)]) +
+                        " in all",
+                    "shorten travel");
+    }
+  }
+
+  void walls_stand_on_own_sides(const Inspection &in)
+  {
+    const auto &walls = in.scene().walls;
+    for (std::size_t i = 0; i < walls.size(); ++i)
+    {
+      const Value &at = *in.draft.walls[i];
+      if (!at.find("side") || in.complaints.about(at))
+        continue;
+      if (in.scene().domain.boundary[static_cast<std::size_t>(walls[i].side)] == Boundary::periodic)
+        in.complain(at, "a wall on the periodic side \"" + word(walls[i].side) + "\"",
+                    "walls on sides that bound the domain", "make the sides no_flux");
+      for (std::size_t j = 0; j < i; ++j)
+        if (walls[j].side == walls[i].side)
+          in.complain(at, "a second wall on the side \"" + word(walls[i].side) + "\"",
+                      "one wall a side", "remove one");
+    }
+  }
+
+  void walls_know_when_to_start(const Inspection &in)
+  {
+    for (std::size_t i = 0; i < in.scene().walls.size(); ++i)
+      if (!in.scene().walls[i].start_time && !in.present("phase_field"))
+        in.complain(*in.draft.walls[i],
+                    "the wall starts at a distance to phi = 0, but there is no phase field",
+                    "start_time, or [phase_field]", "add start_time = 0");
+  }
+
+  void anisotropy_is_well_posed(const Inspection &in)
+  {
+    if (in.written("growth", "anisotropy") && in.scene().growth &&
+        in.scene().growth->anisotropy > 1. / 15.)
+      in.complain(in.at("growth", "anisotropy"),
+                  "read " + number_text(in.scene().growth->anisotropy) +
+                      ": beyond 1/15 the interface stiffness 1 - 15 eps cos(4 angle) turns "
+                      "negative, orientations go missing and Eq. (1) is ill-posed",
+                  "at most 1/15 = 0.0667", "lower the anisotropy");
+  }
+
+  void kinetics_are_consistent(const Inspection &in)
+  {
+    if (!sound(in, "growth") || !sound(in, "heat") || !sound(in, "phase_field"))
+      return;
+    const Growth &growth = *in.scene().growth;
+    const double W0 = in.scene().phase_field->width, D = in.scene().heat->diffusivity;
+    const double d0 = growth.capillary_length, tau0 = growth.relaxation_time;
+    const double lambda = a1 * W0 / d0;
+    const double beta = a1 * (tau0 / (lambda * W0) - a2 * W0 / D);
+    const double wanted = growth.kinetic_coefficient.value_or(0.);
+    if (std::abs(beta - wanted) <= tolerance * a1 * tau0 / (lambda * W0))
+      return;
+    const double right_tau0 = lambda * W0 * (wanted / a1 + a2 * W0 / D);
+    const double right_D = a2 * W0 / (tau0 / (lambda * W0) - wanted / a1);
+    const double right_lambda = tau0 / (W0 * (wanted / a1 + a2 * W0 / D));
+    in.complain(in.at("growth", "relaxation_time"),
+                "tau0 = " + number_text(tau0) + ", d0 = " + number_text(d0) +
+                    ", W0 = " + number_text(W0) + ", D = " + number_text(D) +
+                    " give the kinetic coefficient " + number_text(beta) + ", but " +
+                    (growth.kinetic_coefficient ? number_text(wanted) + " is asked"
+                                                : "growth is kinetics-free unless one is given"),
+                "tau0 = 0.6267 lambda W0^2/D with lambda = 0.8839 W0/d0, to 1 %",
+                "relaxation_time = " + number_text(right_tau0) +
+                    (right_D > 0. ? ", or diffusivity = " + number_text(right_D) : "") +
+                    ", or capillary_length = " + number_text(a1 * W0 / right_lambda) +
+                    (beta > 0. ? ", or kinetic_coefficient = " + number_text(beta) : ""));
+  }
+
+  void first_temperature_is_fixed(const Inspection &in)
+  {
+    if (!in.written("heat", "initial") || !sound(in, "heat"))
+      return;
+    if (Function(*in.scene().heat->initial).depends_on_time())
+      in.complain(in.at("heat", "initial"), "an initial value that depends on t",
+                  "an expression of X and Y", "remove t");
+  }
+
+  void noise_respects_symmetry(const Inspection &in)
+  {
+    if (!in.scene().noise || !sound(in, "domain"))
+      return;
+    const Domain &domain = in.scene().domain;
+    const bool mirrored = in.scene().noise->mirrored;
+    const auto has = [&](const Boundary boundary)
+    {
+      return std::find(domain.boundary.begin(), domain.boundary.end(), boundary) !=
+             domain.boundary.end();
+    };
+    if (has(Boundary::symmetry) && !mirrored)
+      in.complain(in.at("noise", "mirrored"),
+                  "noise on a domain with symmetry sides: the missing part would have to be noisy "
+                  "in just the mirrored way",
+                  "mirrored = true, or the whole domain",
+                  "add mirrored = true to [noise] and say so with the results");
+    if (mirrored && !has(Boundary::symmetry) && !has(Boundary::periodic) &&
+        (domain.cells[0] % 2 != 0 || domain.cells[1] % 2 != 0))
+      in.complain(in.at("noise", "mirrored"),
+                  "noise mirrored about the middle of an odd number of cells",
+                  "even numbers of cells", "change [domain] cells");
+  }
+} // namespace scene
