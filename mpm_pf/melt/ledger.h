@@ -1,0 +1,22 @@
+// The heat ledger: what Eq. (2) must keep.
+//
+// d theta/dt = D lap theta + 1/2 d phi/dt: in a closed domain the integral of theta - phi/2 stays,
+// to rounding, because the discrete latent heat is the very increment of phi and the discrete
+// Laplacian is symmetric under the border weights (1/2 on sides, 1/4 in corners).
+#pragma once
+
+#include "medium/field.h"
+
+namespace melt
+{
+  struct HeatLedger
+  {
+    double sensible = 0.; // integral of theta, length^2
+    double latent = 0.;   // integral of -phi/2, length^2
+    double total() const { return sensible + latent; }
+  };
+
+  /// The ledger of the fields as they are.
+  HeatLedger heat_ledger(const medium::Field<double> &phi, const medium::Field<double> &theta,
+                         const medium::Mesh &);
+} // namespace melt
