@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "medium/contour.h"
+#include "melt_history.h"
 #include "scene/quantities.h"
 
 namespace
@@ -109,14 +110,15 @@ void observe(const scene::SnapshotProbe &, const scene::Probe &probe, const Worl
                     grid_snapshot(world));
 }
 
-void observe(const scene::TipProbe &, const scene::Probe &, const World &, record::Writer &) {}
-
 void observe(const scene::HistoryProbe &, const scene::Probe &probe, const World &world,
              record::Writer &writer)
 {
+  HistoryColumns row = melt_history(world);
   if (world.solid)
   {
-    const auto history = solid::history(*world.solid);
-    writer.table(probe.name, history.columns, world.time, history.row);
+    const auto solid = solid::history(*world.solid);
+    for (std::size_t k = 0; k < solid.row.size(); ++k)
+      row.add(solid.columns.names[k], solid.columns.units[k], solid.row[k]);
   }
+  writer.table(probe.name, {row.names, row.units}, world.time, row.values);
 }

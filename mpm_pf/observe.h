@@ -11,5 +11,4 @@ void observe(const scene::RegionProbe &, const scene::Probe &, const World &, re
 void observe(const scene::ReactionProbe &, const scene::Probe &, const World &, record::Writer &);
 void observe(const scene::OutlineProbe &, const scene::Probe &, const World &, record::Writer &);
 void observe(const scene::SnapshotProbe &, const scene::Probe &, const World &, record::Writer &);
-void observe(const scene::TipProbe &, const scene::Probe &, const World &, record::Writer &);
 void observe(const scene::HistoryProbe &, const scene::Probe &, const World &, record::Writer &);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <type_traits>
 
 #include "observe.h"
 #include "scene/schedule.h"
@@ -83,7 +84,41 @@ void Recorder::observe(const World &world)
 
 void Recorder::observe_probe(const scene::Probe &probe, const World &world)
 {
-  std::visit([&](const auto &kind) { ::observe(kind, probe, world, writer); }, probe.kind);
+  std::visit(
+      [&](const auto &kind)
+      {
+        if constexpr (std::is_same_v<std::decay_t<decltype(kind)>, scene::TipProbe>)
+          observe_tip(kind, probe, world);
+        else
+          ::observe(kind, probe, world, writer);
+      },
+      probe.kind);
+}
+
+void Recorder::observe_tip(const scene::TipProbe &probe, const scene::Probe &named,
+                           const World &world)
+{
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  const double width = world.scene->phase_field->width;
+  const auto &mesh = *world.mesh;
+  const double travel = melt::default_travel(mesh);
+  const auto tip = melt::find_tip(world.phase->value, mesh, {probe.origin, probe.direction}, width);
+  auto &track = tracks[named.name];
+  melt::TipVelocity velocity{none, none, none, 0};
+  if (tip)
+  {
+    melt::add_sample(track, world.time, tip->position, travel);
+    velocity = melt::tip_velocity(track, travel);
+    if (tip->position > 5 * width && tip->radius > 0)
+      under_resolved = melt::resolution_warning(tip->radius, mesh, width);
+  }
+  const record::Columns columns{
+      {"position", "velocity", "velocity_residual", "radius", "radius_residual", "radius_window"},
+      {"W0", "W0/tau0", "W0", "W0", "W0", "W0"}};
+  const auto value = [&](double melt::Tip::*member) { return tip ? (*tip).*member : none; };
+  writer.table(named.name, columns, world.time,
+               {value(&melt::Tip::position), velocity.value, velocity.residual,
+                value(&melt::Tip::radius), value(&melt::Tip::residual), value(&melt::Tip::window)});
 }
 
 void Recorder::observe_reaction(ReactionWatch &watch, const World &world)
@@ -100,6 +135,11 @@ void Recorder::save(record::Checkpoint &checkpoint) const
 {
   for (const auto &reaction : reactions)
     checkpoint.put("recorder/" + reaction.name, reaction.window.state());
+  for (const auto &[name, track] : tracks)
+  {
+    checkpoint.put("recorder/" + name + "/time", track.time);
+    checkpoint.put("recorder/" + name + "/position", track.position);
+  }
 }
 
 void Recorder::restore(const record::Checkpoint &checkpoint, const double time)
@@ -110,7 +150,13 @@ void Recorder::restore(const record::Checkpoint &checkpoint, const double time)
                                     times.begin());
   };
   for (auto &watch : watches)
+  {
     watch.next = passed(watch.times);
+    const std::string key = "recorder/" + watch.probe->name;
+    if (checkpoint.has(key + "/time"))
+      tracks[watch.probe->name] = {checkpoint.get<double>(key + "/time"),
+                                   checkpoint.get<double>(key + "/position")};
+  }
   for (auto &reaction : reactions)
   {
     reaction.next = passed(reaction.events);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "melt/tip.h"
 #include "reaction_window.h"
 #include "record/checkpoint.h"
 #include "record/writer.h"
@@ -28,6 +29,9 @@ public:
   double cpu_seconds() const { return cpu; }
   double wall_seconds() const { return wall; }
 
+  /// What the program has to say about its own resolution; empty if nothing.
+  const std::string &warning() const { return under_resolved; }
+
   void save(record::Checkpoint &) const;
   void restore(const record::Checkpoint &, double time);
 
@@ -49,6 +53,7 @@ private:
                       const std::vector<double> &times, double half, double end);
   bool due(const std::vector<double> &times, std::size_t &next, double time) const;
   void observe_probe(const scene::Probe &, const World &);
+  void observe_tip(const scene::TipProbe &, const scene::Probe &, const World &);
   void observe_reaction(ReactionWatch &, const World &);
 
   record::Writer &writer;
@@ -56,5 +61,7 @@ private:
   std::vector<double> events; // sorted, unique
   std::vector<Watch> watches;
   std::vector<ReactionWatch> reactions;
+  std::map<std::string, melt::TipTrack> tracks; // of tip probes, by name
+  std::string under_resolved;                   // the last complaint about a tip
   double cpu = 0., wall = 0.;
 };

@@ -129,6 +129,11 @@ int run(const scene::Scene &scene, const record::CommandLine &command,
   {
     return fail(trouble.what());
   }
+  if (!recorder.warning().empty())
+  {
+    std::cerr << "mpm_pf: " << recorder.warning() << '\n';
+    writer->attribute("warning", recorder.warning());
+  }
   writer->finish(profile());
   std::error_code none;
   std::filesystem::remove(checkpoint_path(command), none);

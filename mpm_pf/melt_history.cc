@@ -1,0 +1,129 @@
+#include "melt_history.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "medium/contour.h"
+#include "melt/ledger.h"
+
+namespace
+{
+  using medium::Field;
+  using medium::Mesh;
+
+  struct Spread
+  {
+    double mean = 0., variance = 0., min = std::numeric_limits<double>::infinity(), max = -min;
+  };
+
+  /// Over all nodes by the share of a cell that they own; a periodic node stored twice counts twice
+  /// half.
+  Spread spread_of(const Field<double> &field, const Mesh &mesh)
+  {
+    Spread spread;
+    double weight_sum = 0.;
+    for (int j = 0; j < mesh.nodes[1]; ++j)
+      for (int i = 0; i < mesh.nodes[0]; ++i)
+      {
+        const double value = field(i, j), weight = mesh.weight(i, j);
+        weight_sum += weight;
+        spread.mean += weight * value;
+        spread.min = std::min(spread.min, value);
+        spread.max = std::max(spread.max, value);
+      }
+    spread.mean /= weight_sum;
+    for (int j = 0; j < mesh.nodes[1]; ++j)
+      for (int i = 0; i < mesh.nodes[0]; ++i)
+        spread.variance += mesh.weight(i, j) * std::pow(field(i, j) - spread.mean, 2);
+    spread.variance /= weight_sum;
+    return spread;
+  }
+
+  double diagonal_defect(const Field<double> &field, const Mesh &mesh)
+  {
+    double defect = 0.;
+    for (int j = 0; j < mesh.nodes[1]; ++j)
+      for (int i = 0; i < j; ++i)
+        defect = std::max(defect, std::abs(field(i, j) - field(j, i)));
+    return defect;
+  }
+
+  /// |grad phi| at a point, from central differences at the four nodes round it, bilinearly.
+  double gradient_at(const Field<double> &phi, const Mesh &mesh, const scene::Point &x)
+  {
+    const scene::Point at = (x - mesh.lower).cwiseQuotient(mesh.spacing);
+    const int i0 = std::clamp(static_cast<int>(at[0]), 0, mesh.nodes[0] - 2);
+    const int j0 = std::clamp(static_cast<int>(at[1]), 0, mesh.nodes[1] - 2);
+    scene::Point gradient = scene::Point::Zero();
+    for (int j = j0; j <= j0 + 1; ++j)
+      for (int i = i0; i <= i0 + 1; ++i)
+      {
+        const double weight = (1. - std::abs(at[0] - i)) * (1. - std::abs(at[1] - j));
+        gradient += weight * scene::Point((phi(i + 1, j) - phi(i - 1, j)) / (2 * mesh.spacing[0]),
+                                          (phi(i, j + 1) - phi(i, j - 1)) / (2 * mesh.spacing[1]));
+      }
+    return gradient.norm();
+  }
+
+  double mean_interface_width(const Field<double> &phi, const Mesh &mesh,
+                              const std::vector<scene::Polyline> &contour)
+  {
+    const auto box = medium::extent(mesh);
+    double sum = 0.;
+    long count = 0;
+    for (const auto &line : contour)
+      for (const auto &x : line)
+        if (((x - box.lower).array() > mesh.spacing.array()).all() &&
+            ((box.upper - x).array() > mesh.spacing.array()).all())
+        {
+          sum += 1. / (std::sqrt(2.) * gradient_at(phi, mesh, x));
+          ++count;
+        }
+    return count > 0 ? sum / static_cast<double>(count) : 0.;
+  }
+} // namespace
+
+void HistoryColumns::add(const std::string &name, const std::string &unit, const double value)
+{
+  names.push_back(name);
+  units.push_back(unit);
+  values.push_back(value);
+}
+
+HistoryColumns melt_history(const World &world)
+{
+  HistoryColumns row;
+  if (!world.mesh)
+    return row;
+  const Mesh &mesh = *world.mesh;
+  const double cell = mesh.spacing.prod();
+  if (world.phase)
+  {
+    const auto &phi = world.phase->value;
+    const auto contour = medium::contour(phi, mesh);
+    const Spread spread = spread_of(phi, mesh);
+    row.add("solid_area", "W0^2", medium::enclosed_area(contour));
+    row.add("interface_length", "W0", medium::interface_length(contour, medium::extent(mesh)));
+    row.add("interface_width", "W0", mean_interface_width(phi, mesh, contour));
+    row.add("phi_min", "1", spread.min);
+    row.add("phi_max", "1", spread.max);
+    if (mesh.nodes[0] == mesh.nodes[1])
+      row.add("diagonal_defect", "1", diagonal_defect(phi, mesh));
+  }
+  if (world.heat)
+  {
+    const Spread spread = spread_of(world.heat->value, mesh);
+    row.add("theta_mean", "L/cp", spread.mean);
+    row.add("theta_variance", "(L/cp)^2", spread.variance);
+    row.add("theta_min", "L/cp", spread.min);
+    row.add("theta_max", "L/cp", spread.max);
+    row.add("heat_content", "L/cp W0^2",
+            world.phase ? melt::heat_ledger(world.phase->value, world.heat->value, mesh).total()
+                        : medium::weighted_sum(world.heat->value, mesh) * cell);
+  }
+  if (world.growth)
+    row.add("active_tiles", "1",
+            static_cast<double>(world.growth->tiles().count(medium::Activity::active)));
+  return row;
+}

@@ -1,0 +1,20 @@
+// Scalar diagnostics of the melt's fields, the melt's part of a history probe.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "world.h"
+
+struct HistoryColumns
+{
+  std::vector<std::string> names, units;
+  std::vector<double> values;
+  void add(const std::string &name, const std::string &unit, double value);
+};
+
+/// With phi: solid_area, interface_length, interface_width (mean of 1/(sqrt(2)|grad phi|) along the
+/// contour), phi_min, phi_max, active_tiles. With theta: theta_mean, theta_variance, theta_min,
+/// theta_max, heat_content (integral of theta - phi/2, conserved between adiabatic walls). On a
+/// square mesh diagonal_defect, the largest |phi(x, y) - phi(y, x)|.
+HistoryColumns melt_history(const World &);
