@@ -1,10 +1,8 @@
 #include "observe.h"
 
-#include <algorithm>
-
 #include "medium/contour.h"
 #include "melt_history.h"
-#include "scene/quantities.h"
+#include "melt_samples.h"
 
 namespace
 {
@@ -26,17 +24,6 @@ namespace
                                        : "1");
     }
     return columns;
-  }
-
-  bool asks_the_melt(const scene::Probe &probe)
-  {
-    return std::any_of(probe.of.begin(), probe.of.end(),
-                       [](const std::string &name)
-                       {
-                         return std::find(scene::melt_quantities.begin(),
-                                          scene::melt_quantities.end(),
-                                          name) != scene::melt_quantities.end();
-                       });
   }
 
   /// Copies the nodes of a field, x fastest.
@@ -69,14 +56,16 @@ void observe(const scene::LineProbe &line, const scene::Probe &probe, const Worl
              record::Writer &writer)
 {
   writer.line(probe.name, columns_of(probe, world), world.time,
-              solid::sample_line(*world.solid, line, probe.of));
+              asks_the_melt(probe) ? sample_melt(world, positions_of(line), probe.of)
+                                   : solid::sample_line(*world.solid, line, probe.of));
 }
 
 void observe(const scene::PointProbe &point, const scene::Probe &probe, const World &world,
              record::Writer &writer)
 {
   writer.table(probe.name, columns_of(probe, world), world.time,
-               solid::sample_point(*world.solid, point, probe.of));
+               asks_the_melt(probe) ? sample_melt(world, {point.at}, probe.of).values
+                                    : solid::sample_point(*world.solid, point, probe.of));
 }
 
 void observe(const scene::RegionProbe &region, const scene::Probe &probe, const World &world,

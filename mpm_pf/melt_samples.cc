@@ -1,0 +1,64 @@
+#include "melt_samples.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "scene/quantities.h"
+
+namespace
+{
+  constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+
+  double bilinear(const medium::Field<double> &field, const medium::Mesh &mesh,
+                  const scene::Point &x)
+  {
+    const scene::Point at = (x - mesh.lower).cwiseQuotient(mesh.spacing);
+    if (at[0] < 0 || at[1] < 0 || at[0] > mesh.nodes[0] - 1 || at[1] > mesh.nodes[1] - 1)
+      return missing;
+    const int i = std::min(static_cast<int>(at[0]), mesh.nodes[0] - 2);
+    const int j = std::min(static_cast<int>(at[1]), mesh.nodes[1] - 2);
+    const double p = at[0] - i, q = at[1] - j;
+    return (1 - q) * ((1 - p) * field(i, j) + p * field(i + 1, j)) +
+           q * ((1 - p) * field(i, j + 1) + p * field(i + 1, j + 1));
+  }
+
+  double value_of(const World &world, const std::string &name, const scene::Point &x)
+  {
+    if (name == "phi" && world.phase)
+      return bilinear(world.phase->value, *world.mesh, x);
+    if (name == "theta" && world.heat)
+      return bilinear(world.heat->value, *world.mesh, x);
+    if (name == "crystal_angle" && world.orientation)
+      return world.orientation->varying() ? bilinear(world.orientation->angle, *world.mesh, x)
+                                          : world.orientation->uniform_angle;
+    return missing;
+  }
+} // namespace
+
+bool asks_the_melt(const scene::Probe &probe)
+{
+  const auto &melt = scene::melt_quantities;
+  return std::any_of(probe.of.begin(), probe.of.end(),
+                     [&](const std::string &name)
+                     { return std::find(melt.begin(), melt.end(), name) != melt.end(); });
+}
+
+record::LineSample sample_melt(const World &world, std::vector<scene::Point> positions,
+                               const std::vector<std::string> &of)
+{
+  record::LineSample sample;
+  for (const auto &x : positions)
+    for (const auto &name : of)
+      sample.values.push_back(value_of(world, name, x));
+  sample.position = std::move(positions);
+  return sample;
+}
+
+std::vector<scene::Point> positions_of(const scene::LineProbe &line)
+{
+  std::vector<scene::Point> positions;
+  for (int k = 0; k < line.points; ++k)
+    positions.push_back(line.a +
+                        (line.b - line.a) * (line.points > 1 ? k / (line.points - 1.) : 0.));
+  return positions;
+}
