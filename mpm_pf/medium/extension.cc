@@ -1,0 +1,157 @@
+#include "medium/extension.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "medium/nearest_piece.h"
+#include "medium/piece_values.h"
+#include "medium/reinitialisation.h"
+
+namespace medium
+{
+  namespace
+  {
+    /// What all nodes of one row need to know.
+    struct Row
+    {
+      const double *psi;
+      const int *piece, *map;
+      const float *offset;
+      const unsigned char *material; // null: everywhere
+      double y, depth;
+    };
+
+    bool solid(const Row &row, int i)
+    {
+      return row.psi[i] >= row.depth && (!row.material || row.material[i]);
+    }
+
+    /// Nodes in a tile of the band: value at the closest point, or on the line inside the contour.
+    void fill_band(double *field, const Row &row, int i0, int i1, const Distance &distance,
+                   const std::vector<PieceValue> &values, const double *far_values,
+                   const Mesh &mesh)
+    {
+      for (int i = i0; i < i1; ++i)
+      {
+        if (solid(row, i))
+          continue;
+        const int owner = row.piece[i];
+        if (owner < 0)
+        {
+          field[i] = far_values[row.map[i]];
+          continue;
+        }
+        const ContourPiece &piece = distance.pieces[static_cast<std::size_t>(owner)];
+        const PieceValue &at = values[static_cast<std::size_t>(owner)];
+        const double s = row.offset[i];
+        const bool inside = row.psi[i] > 0.;
+        const double x = inside ? mesh.lower[0] + i * mesh.spacing[0] - piece.x
+                                : -s * piece.normal_y,
+                     y = inside ? row.y - piece.y : s * piece.normal_x;
+        field[i] = at.value + at.slope_x * x + at.slope_y * y;
+      }
+    }
+
+    /// Nodes of a tile beyond the band; it is all liquid or all solid.
+    void fill_far(double *field, const Row &row, int i0, int i1, const double *values)
+    {
+      if (row.psi[i0] >= row.depth && !row.material)
+        return;
+      for (int i = i0; i < i1; ++i)
+        if (!solid(row, i))
+          field[i] = values[row.map[i]];
+    }
+
+    void fill(Field<double> &field, const Extension &extension,
+              const std::vector<PieceValue> &values, const Field<unsigned char> &material,
+              const Mesh &mesh)
+    {
+      const Distance &distance = extension.distance;
+      const Tiles &tiles = distance.tiles;
+      const double *far_values = extension.far_value.data();
+#pragma omp parallel for schedule(static)
+      for (int tile_row = 0; tile_row < tiles.rows; ++tile_row)
+        for (int j = tiles.first_row(tile_row); j < tiles.end_row(tile_row); ++j)
+        {
+          const Row row{distance.psi.row(j),
+                        distance.piece.row(j),
+                        extension.nearest_piece.row(j),
+                        distance.offset.row(j),
+                        material.empty() ? nullptr : material.row(j),
+                        mesh.lower[1] + j * mesh.spacing[1],
+                        extension.depth};
+          for (int column = 0; column < tiles.columns; ++column)
+          {
+            const int i0 = tiles.first_node(column), i1 = tiles.end_node(column);
+            if (tiles.at(column, tile_row) == Activity::active)
+              fill_band(field.row(j), row, i0, i1, distance, values, far_values, mesh);
+            else
+              fill_far(field.row(j), row, i0, i1, far_values);
+          }
+        }
+    }
+
+    void draw_map(Extension &extension, const Mesh &mesh)
+    {
+      find_nearest_piece(extension.nearest_piece, extension.distance, mesh);
+      extension.drawn.clear();
+      for (const ContourPiece &piece : extension.distance.pieces)
+        extension.drawn.emplace_back(piece.x, piece.y);
+    }
+
+    /// Today's number of the piece that is nearest to where each piece of the map was.
+    std::vector<int> renumber(const Extension &extension, const Mesh &mesh)
+    {
+      std::vector<int> now;
+      now.reserve(extension.drawn.size());
+      for (const Point &place : extension.drawn)
+      {
+        const Point node = (place - mesh.lower).cwiseQuotient(mesh.spacing);
+        const int i = std::clamp(static_cast<int>(std::lround(node[0])), 0, mesh.nodes[0] - 1),
+                  j = std::clamp(static_cast<int>(std::lround(node[1])), 0, mesh.nodes[1] - 1);
+        const int owner = extension.distance.piece(i, j);
+        // A piece that is gone (melted, closed over) leaves its part of the map to the one before.
+        now.push_back(owner >= 0 ? owner : now.empty() ? 0 : now.back());
+      }
+      return now;
+    }
+  } // namespace
+
+  Extension::Extension(const Mesh &mesh, const scene::Extension &settings, double front_width)
+      : method(settings.method), front_width(front_width),
+        depth(0.5 * std::max(mesh.spacing[0], mesh.spacing[1])), distance(mesh, settings.band),
+        nearest_piece(mesh)
+  {
+  }
+
+  template <class T>
+  void extend_into_liquid(Extension &extension, const std::vector<Field<double> *> &fields,
+                          const Field<T> &phi, const Field<unsigned char> &material,
+                          const Mesh &mesh)
+  {
+    Distance &distance = extension.distance;
+    measure(distance, phi, mesh);
+    if (extension.method == scene::ExtensionMethod::pde)
+      reinitialise(distance, phi, extension.front_width, mesh);
+    if (extension.calls++ % extension.far_every == 0)
+      draw_map(extension, mesh);
+    const std::vector<int> now = renumber(extension, mesh);
+    const auto values = piece_values(distance, fields, material, extension.depth, mesh);
+    for (std::size_t f = 0; f < fields.size(); ++f)
+    {
+      extension.far_value.resize(now.size());
+      for (std::size_t k = 0; k < now.size(); ++k)
+        extension.far_value[k] = values[f][static_cast<std::size_t>(now[k])].value;
+      fill(*fields[f], extension, values[f], material, mesh);
+      if (extension.method == scene::ExtensionMethod::pde)
+        march_extension(*fields[f], distance, material, extension.depth, mesh);
+    }
+  }
+
+  template void extend_into_liquid(Extension &, const std::vector<Field<double> *> &,
+                                   const Field<double> &, const Field<unsigned char> &,
+                                   const Mesh &);
+  template void extend_into_liquid(Extension &, const std::vector<Field<double> *> &,
+                                   const Field<float> &, const Field<unsigned char> &,
+                                   const Mesh &);
+} // namespace medium

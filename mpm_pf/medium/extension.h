@@ -1,0 +1,56 @@
+// Extension of the solid's velocity (and crystal angle) into the melt: the liquid at any point has
+// the velocity of the closest solid, so n . grad q = 0 along the normals n of the front
+// (Secs. 2.1, 2.2; Refs. [13]-[15] of the paper).
+//
+// Default method, closest point. Each piece of the phi = 0 contour (distance.h) carries the value
+// and the gradient of the quantity there: a weighted least-squares line through the *solid* nodes
+// around it. Solid is what has material and lies deeper than `depth` below the contour: nodal
+// velocities nearer to it rest on hardly any mass and count as liquid. A node in the liquid band
+// takes the value at its closest point, piece value + tangential slope x offset: exact for uniform
+// fields, second order for smooth ones. A node inside the contour without enough material is filled
+// with the whole line. Beyond the band a node takes the value of the (nearly) nearest piece, whose
+// map is drawn afresh only now and then. Across the medial axis between two arms the extension
+// jumps; that is inherent.
+//
+// The paper's way, q_tau + n . grad q = 0 marched to rest in the band (Ref. [13]), is the choice
+// `pde`; it is first order and needs some three sweeps per cell of the band.
+#pragma once
+
+#include <vector>
+
+#include "medium/distance.h"
+
+namespace medium
+{
+  struct Extension
+  {
+    /// `front_width`: W0 of the profile, length; the pde method starts its distance from it.
+    Extension(const Mesh &, const scene::Extension &, double front_width);
+
+    scene::ExtensionMethod method;
+    double front_width;
+    double depth;       // length below the contour from which a node counts as solid: half a cell
+    int far_every = 20; // calls from one drawing of the map beyond the band to the next
+    long calls = 0;     // since the map was to be drawn afresh
+    Distance distance;
+    Field<int> nearest_piece;      // at every node: the map, numbered as when it was drawn
+    std::vector<Point> drawn;      // places of the pieces then
+    std::vector<double> far_value; // scratch: values by those numbers
+  };
+
+  /// Gives every node outside the solid a value of each of `fields` (any unit); nodes in the solid
+  /// are left alone; ghosts are not filled. `phi`: its ghosts must be filled. `material`: 1 where a
+  /// node has mass enough, else 0; an empty field means everywhere. Where no node at all is solid
+  /// the fields become 0. A piece without solid nodes around (a grain that has no material) takes
+  /// the value of the nearest piece that has.
+  template <class T>
+  void extend_into_liquid(Extension &, const std::vector<Field<double> *> &fields,
+                          const Field<T> &phi, const Field<unsigned char> &material, const Mesh &);
+
+  /// Lets the next call draw the map beyond the band afresh: called where a checkpoint is written
+  /// or read, so that a resumed run has the same bits.
+  inline void renew(Extension &extension)
+  {
+    extension.calls = 0;
+  }
+} // namespace medium
