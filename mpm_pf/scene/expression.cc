@@ -80,14 +80,15 @@ namespace scene
       {
         define_names();
         parser.SetExpr(e.text);
-        const auto used = parser.GetUsedVar();
-        constant = used.empty();
-        timed = used.count("t") > 0;
-        placed = used.size() > (timed ? 1u : 0u);
+        // Evaluated first: after GetUsedVar muParser would read an unknown name as a variable.
         int results = 0;
         const double first = parser.Eval(results)[0];
         if (results != 1)
           refuse(e, "it is a list of " + std::to_string(results) + " values");
+        const auto used = parser.GetUsedVar();
+        constant = used.empty();
+        timed = used.count("t") > 0;
+        placed = used.size() > (timed ? 1u : 0u);
         value = constant ? first : 0.;
       }
       catch (const mu::ParserError &error)

@@ -113,6 +113,9 @@ namespace scene
                 key.allowed.range.text() + " | " + cell(default_of(key)) + " | " +
                 cell(key.sentence) + " | " + cell(key.reason) + " |\n";
     }
+    text += "\n## Rules between keys\n\n";
+    for (const Rule &rule : rules())
+      text += "- " + rule.statement + "\n";
     return text;
   }
 } // namespace scene

@@ -155,7 +155,8 @@ namespace scene
 
   void loads_meet_material(const Inspection &in)
   {
-    if (!in.geometry_known)
+    // A body in the wrong place would make every load look misplaced.
+    if (!in.geometry_known || in.complaints.about(*in.draft.root.find("body")))
       return;
     for (std::size_t i = 0; i < in.scene().supports.size(); ++i)
       check_place(in.scene().supports[i].where, *in.draft.supports[i], in);

@@ -1,0 +1,86 @@
+// The tables speak for themselves: every key has its sentence, every default its reason.
+#include <gtest/gtest.h>
+
+#include "scene/complaints.h"
+#include "scene/keys.h"
+#include "scene/reader.h"
+#include "scene/rules.h"
+
+TEST(KeyTables, GiveEveryKeyASentenceAndEveryDefaultAReason)
+{
+  for (const scene::Section &section : scene::sections())
+  {
+    EXPECT_FALSE(section.sentence.empty()) << section.name;
+    for (const scene::Key &key : section.keys)
+    {
+      EXPECT_FALSE(key.sentence.empty()) << section.name << "." << key.name;
+      EXPECT_TRUE(key.required || !key.reason.empty()) << section.name << "." << key.name;
+      EXPECT_TRUE(section.find(key.name) == &key) << key.name << " is declared twice";
+    }
+  }
+}
+
+TEST(KeyTables, KeepDefaultsInsideTheirRanges)
+{
+  for (const scene::Section &section : scene::sections())
+    for (const scene::Key &key : section.keys)
+    {
+      if (key.kind == "a number" && !key.standard.empty())
+      {
+        EXPECT_TRUE(key.allowed.range.holds(std::stod(key.standard)))
+            << section.name << "." << key.name << " = " << key.standard;
+      }
+    }
+}
+
+TEST(Explain, PrintsUnitRangeDefaultAndReason)
+{
+  const std::string text = scene::explain("growth.step_fraction");
+  EXPECT_NE(text.find("default: 0.8"), std::string::npos) << text;
+  EXPECT_NE(text.find("at most 1"), std::string::npos) << text;
+  const std::string modulus = scene::explain("solid.young_modulus");
+  EXPECT_NE(modulus.find("Pa (in W0-tau0-sigmaY: sigma_Y)"), std::string::npos) << modulus;
+  EXPECT_NE(modulus.find("must be given"), std::string::npos) << modulus;
+}
+
+TEST(Explain, TakesSectionsBareKeysAndEverything)
+{
+  EXPECT_NE(scene::explain("mpm").find("mpm.points_per_cell"), std::string::npos);
+  const std::string both = scene::explain("cells"); // domain and fe have one
+  EXPECT_NE(both.find("domain.cells"), std::string::npos);
+  EXPECT_NE(both.find("fe.cells"), std::string::npos);
+  EXPECT_GT(scene::explain("").size(), scene::explain("mpm").size());
+}
+
+TEST(Explain, NamesTheNearestKey)
+{
+  try
+  {
+    scene::explain("mpm.mahc");
+    FAIL();
+  }
+  catch (const scene::BadScene &error)
+  {
+    EXPECT_NE(std::string(error.what()).find("did you mean \"mpm.mach\"?"), std::string::npos)
+        << error.what();
+  }
+}
+
+TEST(Manual, HasARowForEveryKeyAndALineForEveryRule)
+{
+  const std::string text = scene::manual();
+  for (const scene::Section &section : scene::sections())
+    for (const scene::Key &key : section.keys)
+      EXPECT_NE(text.find("| `" + key.name + "` | "), std::string::npos) << key.name;
+  for (const scene::Rule &rule : scene::rules())
+    EXPECT_NE(text.find("- " + rule.statement), std::string::npos) << rule.statement;
+}
+
+TEST(DidYouMean, FindsTyposAndSwapsButNotStrangers)
+{
+  const std::vector<std::string> known{"young_modulus", "poisson_ratio", "density"};
+  EXPECT_EQ(scene::did_you_mean("youngs_modulus", known), "did you mean \"young_modulus\"?");
+  EXPECT_EQ(scene::did_you_mean("dnesity", known), "did you mean \"density\"?");
+  EXPECT_EQ(scene::did_you_mean("viscosity", {"width", "cells"}), "");
+  EXPECT_EQ(scene::did_you_mean("x", {"density"}), "");
+}
