@@ -1,0 +1,45 @@
+"""Figs. 11 and 12: a dendrite between walls that close in, without noise."""
+
+from matplotlib import patches, pyplot
+
+import compression
+import panels
+import style
+
+
+def figure11(results):
+    run = results.record("compress_dendrite", "mpm_pf")
+    width, height = run.scene["domain"]["size"]
+    if compression.is_quarter(run):
+        width, height = 2 * width, 2 * height
+    spacing = panels.background_mesh(run)[1]
+    figure, axes = pyplot.subplots(figsize=(style.SINGLE, 2.6))
+    axes.add_patch(patches.Rectangle((-width / 2, -height / 2), width, height, fill=False, lw=0.9))
+    arm = 0.26 * height
+    for dx, dy in ((1, 0), (-1, 0), (0, 1), (0, -1)):
+        tip = patches.FancyArrow(0, 0, arm * dx, arm * dy, width=4, head_width=9, head_length=14, color=style.MATERIAL_POINTS)
+        axes.add_patch(tip)
+    for side in (1, -1):
+        panels.wall(axes, (-width / 2, side * height / 2 - (0.05 * height if side < 0 else 0)), (width, 0.05 * height))
+        for x in (-0.42 * width, 0.42 * width):
+            start = (x, side * 0.49 * height)
+            axes.annotate("", (x, side * 0.33 * height), start, arrowprops={"arrowstyle": "->", "lw": 1})
+        axes.text(0, side * 0.62 * height, "moving wall, adiabatic", ha="center", va="center", fontsize=8)
+    melt = f"undercooled melt, $\\theta = -{run.scene['heat']['undercooling']:g}$"
+    axes.text(0, -0.41 * height, melt, ha="center", va="center", fontsize=8)
+    for side in (1, -1):
+        axes.text(side * 0.53 * width, 0, "adiabatic", rotation=90, ha="center", va="center", fontsize=8)
+    nodes = f"{width / spacing[0]:.0f} x {height / spacing[1]:.0f} cells of {spacing[0]:g} $W_0$"
+    axes.text(0, -0.78 * height, nodes, ha="center", fontsize=8)
+    axes.set(xlim=(-0.6 * width, 0.6 * width), ylim=(-0.85 * height, 0.7 * height))
+    panels.plain(axes)
+    figure.subplots_adjust(0.01, 0.01, 0.99, 0.99)
+    return figure, []
+
+
+def figure12(results):
+    run = results.record("compress_dendrite", "mpm_pf")
+    return compression.field_table(run, (0.0, 0.05, 0.10, 0.15))
+
+
+FIGURES = {"fig11": figure11, "fig12": figure12}

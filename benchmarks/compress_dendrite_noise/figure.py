@@ -1,0 +1,60 @@
+"""Figs. 13, 14 and 15: a slender dendrite with side branches under compression, and without it."""
+
+import numpy as np
+from matplotlib import pyplot
+
+import compression
+import panels
+import style
+
+FREE = "free"  # the same noise without compression
+
+
+def figure13(results):
+    run = results.record("compress_dendrite_noise", "mpm_pf")
+    return compression.field_table(run, (0.0, 0.10, 0.20, 0.30))
+
+
+def figure14(results):
+    """Close-up of the core at 10 %: phi and von Mises stress."""
+    run = results.record("compress_dendrite_noise", "mpm_pf")
+    time = compression.time_of(run, 0.10)
+    figure, axes = pyplot.subplots(1, 2, figsize=(style.ONE_AND_HALF, 2.9), layout="constrained")
+    curves = []
+    px, py, phi = compression.image_of(run, "phi", time)
+    middle = np.array([0.5 * (px[0] + px[-1]), 0.5 * (py[0] + py[-1])])
+    reach = 0.17 * (py[-1] - py[0])
+    for one, field in zip(axes, ("phi", "von_mises")):
+        x, y, values = compression.image_of(run, field, time)
+        near = np.ix_(np.abs(y - middle[1]) < reach, np.abs(x - middle[0]) < reach)
+        norm = panels.norm_of([values[near]], -1 if field == "phi" else 0, 1 if field == "phi" else None)
+        drawn = panels.image(one, x, y, values, norm=norm, cmap=style.MAPS[field])
+        lines = one.contour(px, py, phi, [0.0], colors="black", linewidths=0.4)
+        one.set(xlim=middle[0] + np.array([-reach, reach]), ylim=middle[1] + np.array([-reach, reach]))
+        panels.plain(one)
+        panels.colour_bar(figure, drawn, one, style.NAMES[field], location="bottom")
+    for segment in lines.allsegs[0]:
+        curves.append(panels.Curve("close-up at 10 %", "phi = 0", segment[:, 0], segment[:, 1]))
+    return figure, curves
+
+
+def figure15(results):
+    """Contours with (red) and without (black) compression at 10, 20 and 30 %; the right half."""
+    run, free = results.records("compress_dendrite_noise", ["mpm_pf", FREE])
+    domain = run.scene["domain"]
+    lower, size = np.array(domain.get("origin", [0.0, 0.0])), np.array(domain["size"])
+    figure, axes = pyplot.subplots(1, 3, figsize=(style.DOUBLE, 3.6), layout="constrained")
+    curves = []
+    for one, share in zip(axes, (0.10, 0.20, 0.30)):
+        time, panel = compression.time_of(run, share), f"{100 * share:g} %"
+        for name, which, colour in (("without compression", free, "black"), ("with compression", run, "#c1121f")):
+            outline = compression.nearest_outline(which, "contour", time)
+            curves.append(panels.outlines(one, panel, name, outline, color=colour, lw=0.7))
+        one.set(xlim=(lower[0] + size[0] / 2, lower[0] + size[0]), ylim=(lower[1], lower[1] + size[1]))
+        one.set(aspect="equal", xticks=[], yticks=[])
+        one.set_title(panel, fontsize=9)
+    axes[0].legend(loc="lower right", fontsize=7)
+    return figure, curves
+
+
+FIGURES = {"fig13": figure13, "fig14": figure14, "fig15": figure15}

@@ -1,0 +1,120 @@
+"""What the figures of a compressed dendrite share: when a compression is reached, and the field tables."""
+
+import numpy as np
+from matplotlib import pyplot
+
+import panels
+import record
+import style
+
+FIELDS = ("phi", "von_mises", "plastic_strain", "crystal_angle")
+
+
+def time_of(run, compression):
+    """When a table's column "compression" first reaches `compression` (a fraction; 0: first contact)."""
+    for name in run.names("tables"):
+        table = run.table(name)
+        if "compression" not in table.columns:
+            continue
+        moving = np.nonzero(table["compression"] > 0)[0]
+        reached = np.nonzero(table["compression"] >= compression * (1 - 1e-9))[0]
+        if len(moving) == 0 or len(reached) == 0:
+            raise record.Missing(f"{run.label}: the compression never reaches {100 * compression:g} %")
+        return float(table.time[max(moving[0] - 1, 0)] if compression == 0 else table.time[reached[0]])
+    raise record.Missing(f'{run.label}: no table has a column "compression"')
+
+
+def nearest_snapshot(run, field, time, kind=None):
+    """The snapshot with `field` nearest to `time`; fails if it is farther than 1 % of the run."""
+    best = None
+    for name in run.names("snapshots"):
+        times = run.times("snapshots", name)
+        snapshot = run.snapshot(name, times[np.argmin(np.abs(times - time))])
+        if field in snapshot.fields and kind in (None, snapshot.kind):
+            if best is None or abs(snapshot.time - time) < abs(best.time - time):
+                best = snapshot
+    if best is None or abs(best.time - time) > 0.01 * time:
+        raise record.Missing(f"{run.label}: no snapshot of {field} near t = {time:g}")
+    return best
+
+
+def nearest_outline(run, name, time):
+    times = run.times("outlines", name)
+    index = int(np.argmin(np.abs(times - time)))
+    if abs(times[index] - time) > 0.01 * time:
+        raise record.Missing(f"{run.label}: no outline {name} near t = {time:g}")
+    return run.outline(name, times[index])
+
+
+def is_quarter(run):
+    """Does the scene compute one quarter, with its corner at the seed's centre?"""
+    return list(run.scene["domain"].get("origin", [0.0, 0.0])) == [0.0, 0.0] and run.scene["body"][0]["centre"] == [0.0, 0.0]
+
+
+def image_of(run, field, time):
+    """(x, y, values) of a field on a regular grid, whole even where a quarter was computed.
+
+    Fields of material points are means over background cells; the crystal angle is in degrees and only
+    shown in the solid.
+    """
+    snapshot = nearest_snapshot(run, field, time)
+    if snapshot.kind == "points":
+        lower, spacing, shape = panels.background_mesh(run)
+        values = panels.point_means(snapshot.vertex, snapshot.fields[field], lower, spacing, shape)
+        x = lower[0] + spacing[0] * (np.arange(shape[1]) + 0.5)
+        y = lower[1] + spacing[1] * (np.arange(shape[0]) + 0.5)
+    else:
+        x, y, values = snapshot.x, snapshot.y, snapshot.fields[field]
+        if field == "crystal_angle":
+            values = np.where(snapshot.fields["phi"] > 0, np.degrees(values), np.nan)
+    if not is_quarter(run):
+        return x, y, values
+    sign = -1.0 if field == "crystal_angle" else 1.0
+    first = 1 if x[0] == 0.0 else 0  # a node on the mirror is not doubled
+    values = np.hstack([sign * values[:, ::-1][:, : len(x) - first], values])
+    first_y = 1 if y[0] == 0.0 else 0
+    values = np.vstack([sign * values[::-1][: len(y) - first_y], values])
+    x = np.concatenate([-x[::-1][: len(x) - first], x])
+    y = np.concatenate([-y[::-1][: len(y) - first_y], y])
+    return x, y, values
+
+
+def field_table(run, compressions):
+    """Figs. 12 and 13: phi, von Mises stress, plastic strain and crystal angle, a row per compression."""
+    times = {f"{100 * c:g} %": time_of(run, c) for c in compressions}
+    images = {(row, field): image_of(run, field, time) for row, time in times.items() for field in FIELDS}
+    norms = {}
+    for field in FIELDS:
+        values = [images[row, field][2] for row in times]
+        known = np.concatenate([v[~np.isnan(v)] for v in values])
+        if field == "phi":
+            norms[field] = panels.norm_of(values, -1, 1)
+        elif field == "crystal_angle":
+            most = max(float(np.quantile(np.abs(known), 0.999)), 1e-3)
+            norms[field] = panels.norm_of(values, -most, most)
+        else:
+            norms[field] = panels.norm_of(values, 0, float(np.quantile(known, 0.999)))
+    width, height = run.scene["domain"]["size"]
+    panel = style.DOUBLE / 4.15
+    figure, axes = pyplot.subplots(
+        len(times), 4, figsize=(style.DOUBLE, len(times) * panel * height / width + 0.55), layout="constrained"
+    )
+
+    def draw(one, row, field):
+        x, y, values = images[row, field]
+        drawn = panels.image(one, x, y, values, norm=norms[field], cmap=style.MAPS[field])
+        px, py, phi = images[row, "phi"]
+        if field != "phi":
+            one.contour(px, py, phi, [0.0], colors="black", linewidths=0.25)
+        one.set(xlim=(px[0], px[-1]), ylim=(py[0], py[-1]))
+        return drawn
+
+    panels.field_table(figure, axes, list(times), FIELDS, draw)
+    curves = []
+    for (row, field), (x, y, values) in images.items():
+        if field == "phi":
+            lines = pyplot.figure().add_subplot().contour(x, y, values, [0.0])
+            pyplot.close()
+            for segment in lines.allsegs[0]:
+                curves.append(panels.Curve(row, "phi = 0", segment[:, 0], segment[:, 1]))
+    return figure, curves

@@ -1,0 +1,99 @@
+"""Error maps for the report: the last snapshot of both solvers on one raster, side by side, and their difference.
+
+Material points are averaged over raster cells; finite-element quadrilaterals are sampled bilinearly inside (one value per cell, so each of
+its samples has that value) and averaged likewise: cell means against cell means, never nodal averages.
+"""
+
+import base64
+import io
+
+import h5py
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+
+FIELDS = ("von_mises", "plastic_strain", "displacement_y")
+RASTER = 48  # raster cells along the longer side
+
+
+def last_snapshot(path):
+    """(positions n x 2, {field: n values}) of the last snapshot in a record, or None."""
+    with h5py.File(path, "r") as record:
+        if "snapshots" not in record or not len(record["snapshots"]):
+            return None
+        series = record["snapshots"][sorted(record["snapshots"])[0]]
+        group = series[max(series, key=int)]
+        kind = group.attrs["kind"]
+        kind = kind.decode() if isinstance(kind, bytes) else kind
+        if kind == "grid":
+            return None
+        vertex = group["vertex"][:]
+        fields = {name: group["fields"][name][:] for name in FIELDS if name in group["fields"]}
+        if kind == "points":
+            return vertex, fields
+        return inside_cells(vertex, group["connectivity"][:].reshape(-1, 4), fields)
+
+
+def inside_cells(vertex, quads, fields, samples=6):
+    s = (np.arange(samples) + 0.5) / samples
+    u, v = (a.ravel() for a in np.meshgrid(s, s))
+    weight = np.stack([(1 - u) * (1 - v), u * (1 - v), u * v, (1 - u) * v])  # vertices run round the cell
+    places = np.einsum("kp,ckd->cpd", weight, vertex[quads]).reshape(-1, 2)
+    return places, {name: np.repeat(values, samples * samples) for name, values in fields.items() if len(values) == len(quads)}
+
+
+def raster(places, values, box, cells):
+    """Means over raster cells; NaN where nothing lies."""
+    edges = [np.linspace(box[0][d], box[1][d], cells[d] + 1) for d in range(2)]
+    count = np.histogram2d(places[:, 0], places[:, 1], bins=edges)[0]
+    total = np.histogram2d(places[:, 0], places[:, 1], bins=edges, weights=values)[0]
+    with np.errstate(invalid="ignore", divide="ignore"):
+        return (total / count).T
+
+
+def picture(name, a, b, labels):
+    """PNG (base64) of a, b and a - b, and the text below it. None if they share no material."""
+    low = np.minimum(a[0].min(axis=0), b[0].min(axis=0))
+    high = np.maximum(a[0].max(axis=0), b[0].max(axis=0))
+    side = (high - low).max() / RASTER
+    cells = [max(2, int(round(extent / side))) for extent in high - low]
+    fields = [raster(places, values[name], (low, high), cells) for places, values in (a, b)]
+    difference = fields[0] - fields[1]
+    if not np.isfinite(difference).any():
+        return None
+    figure, axes = plt.subplots(1, 3, figsize=(10, 1.0 + 3.2 * min(1.6, (high - low)[1] / (high - low)[0])), constrained_layout=True)
+    extent = (low[0], high[0], low[1], high[1])
+    shared = dict(vmin=np.nanmin(fields), vmax=np.nanmax(fields))
+    top = np.nanmax(np.abs(difference)) or 1.0
+    for axis, field, label in zip(axes, (*fields, difference), (*labels, "difference")):
+        style = dict(cmap="viridis", **shared) if label != "difference" else dict(cmap="RdBu_r", vmin=-top, vmax=top)
+        image = axis.imshow(field, origin="lower", extent=extent, interpolation="nearest", **style)
+        axis.set_title(label, fontsize=9)
+        axis.tick_params(labelsize=7)
+        figure.colorbar(image, ax=axis, shrink=0.8).ax.tick_params(labelsize=7)
+    stream = io.BytesIO()
+    figure.savefig(stream, format="png", dpi=90, metadata={"Software": None})
+    plt.close(figure)
+    rms = np.sqrt(np.nanmean(difference**2))
+    text = f"{name}: {labels[0]}, {labels[1]} and their difference (rms {rms:.3g}, largest {top:.3g}), means over raster cells"
+    return dict(title=text, png=base64.b64encode(stream.getvalue()).decode())
+
+
+def of_case(folder, case):
+    """Maps of one case: its first mpm_pf run against its first fe_reference run that share a scene and a field."""
+    complete = [run for run in case["runs"] if run["status"] == "complete"]
+    pairs = [
+        (p, q) for p in complete for q in complete if p["solver"] == "mpm_pf" and q["solver"] == "fe_reference" and p["scene"] == q["scene"]
+    ]
+    if not pairs:
+        return []
+    stem = "scene" if case["suite"] == "full" else case["suite"]
+    runs = pairs[0]
+    snapshots = [last_snapshot(folder / case["case"] / stem / (run["name"] + ".h5")) for run in runs]
+    if None in snapshots:
+        return []
+    shared = [name for name in FIELDS if all(name in fields for _, fields in snapshots)]
+    maps = [picture(name, *snapshots, [run["name"] for run in runs]) for name in shared[:2]]
+    return [entry for entry in maps if entry]

@@ -1,0 +1,151 @@
+#!/usr/bin/python3
+"""Records are read as they were written, every figure is drawn from them, and what is missing is said."""
+
+import contextlib
+import csv
+import io
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+HERE = pathlib.Path(__file__).resolve().parent
+POSTPROCESS = HERE.parents[1] / "postprocess"
+sys.path[:0] = [str(HERE), str(POSTPROCESS)]
+sys.dont_write_bytecode = True
+
+try:
+    import h5py  # noqa: F401
+    import matplotlib  # noqa: F401
+    import numpy as np
+except ImportError as missing:
+    print(f"SKIPPED: {missing}; install python3-h5py and python3-matplotlib, run with /usr/bin/python3")
+    sys.exit(77)
+
+import figures  # noqa: E402
+import panels  # noqa: E402
+import record  # noqa: E402
+import synthetic  # noqa: E402
+
+WRITE_SAMPLES = sys.argv.pop(1) if len(sys.argv) > 1 else None
+
+
+def run(*arguments):
+    """Exit code and output of figures.py in this process."""
+    said = io.StringIO()
+    old, sys.argv = sys.argv, ["figures.py", *map(str, arguments)]
+    try:
+        with contextlib.redirect_stdout(said), contextlib.redirect_stderr(said):
+            code = figures.main()
+    finally:
+        sys.argv = old
+    return code, said.getvalue()
+
+
+class Scratch(unittest.TestCase):
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        self.folder = pathlib.Path(scratch.name)
+
+
+class Figures(Scratch):
+    def test_cover_the_paper(self):
+        wanted = [f"fig{k}" for k in range(1, 7)] + ["fig7a", "fig7b"] + [f"fig{k}" for k in range(8, 16)]
+        self.assertEqual(list(figures.all_figures(HERE.parents[1] / "benchmarks")), wanted)
+
+    def test_are_drawn_with_their_curves_and_always_with_the_same_bytes(self):
+        synthetic.cantilever(self.folder)
+        synthetic.shear(self.folder)
+        names = ("fig5", "fig9")
+        for place in ("a", "b"):
+            code, said = run(self.folder, "--output", self.folder / place, "--only", *names)
+            self.assertEqual(code, 0, said)
+        for name in names:
+            for kind in ("pdf", "svg", "png", "csv"):
+                first, second = ((self.folder / place / f"{name}.{kind}").read_bytes() for place in ("a", "b"))
+                self.assertGreater(len(first), 1000)
+                self.assertEqual(first, second, f"{name}.{kind}")
+        with open(self.folder / "a" / "fig5.csv", encoding="utf-8") as file:
+            rows = [row for row in csv.DictReader(line for line in file if not line.startswith("#"))]
+        tip = {row["curve"]: float(row["y"]) for row in rows if float(row["x"]) == 8.0}
+        # P/(6 E' I) ((4 + 5 nu') h^2 L/4 + 2 L^3), E' = E/(1 - nu^2), nu' = nu/(1 - nu)
+        exact = 100 / (6 * 3e7 / 0.91 / 12) * ((4 + 15 / 7) * 2 + 16 * 64)
+        self.assertAlmostEqual(tip["Timoshenko, plane strain"], exact, delta=1e-9 * exact)
+        self.assertAlmostEqual(tip["material points"], 1.01 * exact, delta=1e-6 * exact)
+
+    def test_of_the_crystal_are_drawn(self):
+        synthetic.melt(self.folder)
+        synthetic.compressed(self.folder)
+        code, said = run(self.folder, "--only", "fig3", "fig12")
+        self.assertEqual(code, 0, said)
+        self.assertNotIn("skipped", said)
+
+    def test_say_what_they_skip_and_why(self):
+        synthetic.cantilever(self.folder)
+        (self.folder / "cantilever/scene/fe_reference.h5").rename(self.folder / "cantilever/scene/fe_reference.h5.part")
+        code, said = run(self.folder, "--only", "fig4", "fig5", "fig7a")
+        self.assertEqual(code, 0, said)
+        self.assertIn("fig4: drawn", said)
+        self.assertIn("fig5: skipped: cantilever/scene/fe_reference: the run is unfinished", said)
+        self.assertIn("fig7a: skipped: tension_compression", said)
+        self.assertFalse((self.folder / "figures/fig5.pdf").exists())
+
+    def test_have_exit_codes(self):
+        self.assertEqual(run(self.folder, "--only", "fig5")[0], 4)
+        self.assertEqual(run(self.folder / "nowhere")[0], 2)
+        code, said = run(self.folder, "--only", "fig99")
+        self.assertEqual(code, 2)
+        self.assertIn("fig7a", said)
+
+
+class Records(Scratch):
+    def test_of_the_best_suite_that_has_all_runs_are_taken(self):
+        for suite, runs in (("scene", ["a"]), ("quick", ["a", "b"]), ("smoke", ["a", "b"])):
+            for name in runs:
+                with synthetic.Invented(self.folder, "case", name, "", suite):
+                    pass
+        results = record.Results(self.folder)
+        self.assertEqual(results.record("case", "a").label, "case/scene/a")
+        self.assertEqual([r.label for r in results.records("case", ["a", "b"])], ["case/quick/a", "case/quick/b"])
+
+    def test_that_failed_are_not_drawn(self):
+        with synthetic.Invented(self.folder, "case", "a", "") as out:
+            out.file.attrs["status"] = "failed: step 3 diverged"
+        with self.assertRaisesRegex(record.Missing, "step 3 diverged"):
+            record.Results(self.folder).record("case", "a")
+
+    @unittest.skipUnless(WRITE_SAMPLES, "needs the path of write_samples")
+    def test_of_the_solvers_own_writer_are_read(self):
+        subprocess.run([WRITE_SAMPLES, str(self.folder)], check=True)
+        run_ = record.Record(self.folder / "all.h5")
+        self.assertEqual(run_.scene["title"], "Samples")
+        self.assertEqual(run_.number("steps"), 12)
+        self.assertEqual(run_.table("energy")["kinetic"][3], 0.1 * 3)
+        self.assertEqual(len(run_.outline("contour", 1.1)), 2)
+        self.assertTrue(np.isnan(run_.line("line", 0.5)["phi"][1]))
+        self.assertEqual(run_.snapshot_of("phi", 0.2, "grid").fields["phi"].shape, (3, 4))
+        self.assertEqual(run_.snapshot("mesh").connectivity.shape, (2, 4))
+        with self.assertRaisesRegex(record.Missing, "was not recorded at t = 0.55"):
+            run_.outline("contour", 0.55)
+        with self.assertRaisesRegex(record.Missing, "energy"):
+            run_.table("nonsense")
+
+
+class Panels(unittest.TestCase):
+    def test_point_means_are_cell_means(self):
+        vertex = np.array([[0.1, 0.1], [0.9, 0.9], [1.5, 0.5]])
+        means = panels.point_means(vertex, np.array([1.0, 3.0, 7.0]), (0, 0), (1, 1), (2, 2))
+        np.testing.assert_array_equal(means, [[2, 7], [np.nan, np.nan]])
+
+    def test_holes_turn_the_other_way(self):
+        square = np.array([[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]])
+        hole = 1 + square / 2
+        path = panels.closed_path([square, hole])
+        self.assertGreater(panels.signed_area(path.vertices[:4]), 0)
+        self.assertLess(panels.signed_area(path.vertices[5:9]), 0)
+
+
+if __name__ == "__main__":
+    unittest.main()
