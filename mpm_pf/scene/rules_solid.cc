@@ -68,7 +68,10 @@ namespace scene
     {
       const int along = edge == Edge::left || edge == Edge::right ? 1 : 0;
       double length = 0.;
-      for (const Polyline &line : outline(scene.bodies, scene.domain.spacing().minCoeff()))
+      // However large a body is against the cells, its curves need no more than this.
+      const double spacing =
+          std::max(scene.domain.spacing().minCoeff(), (box.upper - box.lower).norm() / 2000.);
+      for (const Polyline &line : outline(scene.bodies, spacing))
         for (std::size_t i = 0; i < line.size(); ++i)
         {
           const Point &a = line[i], &b = line[(i + 1) % line.size()];
