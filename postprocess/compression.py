@@ -48,7 +48,8 @@ def nearest_outline(run, name, time):
 
 def is_quarter(run):
     """Does the scene compute one quarter, with its corner at the seed's centre?"""
-    return list(run.scene["domain"].get("origin", [0.0, 0.0])) == [0.0, 0.0] and run.scene["body"][0]["centre"] == [0.0, 0.0]
+    corner = list(run.scene["domain"].get("origin", [0.0, 0.0]))
+    return corner == [0.0, 0.0] == list(run.scene["body"][0]["centre"])
 
 
 def image_of(run, field, time):

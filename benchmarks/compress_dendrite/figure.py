@@ -17,8 +17,8 @@ def figure11(results):
     axes.add_patch(patches.Rectangle((-width / 2, -height / 2), width, height, fill=False, lw=0.9))
     arm = 0.26 * height
     for dx, dy in ((1, 0), (-1, 0), (0, 1), (0, -1)):
-        tip = patches.FancyArrow(0, 0, arm * dx, arm * dy, width=4, head_width=9, head_length=14, color=style.MATERIAL_POINTS)
-        axes.add_patch(tip)
+        shape = {"width": 4, "head_width": 9, "head_length": 14, "color": style.MATERIAL_POINTS}
+        axes.add_patch(patches.FancyArrow(0, 0, arm * dx, arm * dy, **shape))
     for side in (1, -1):
         panels.wall(axes, (-width / 2, side * height / 2 - (0.05 * height if side < 0 else 0)), (width, 0.05 * height))
         for x in (-0.42 * width, 0.42 * width):

@@ -19,8 +19,10 @@ def figure2(results):
     reach = max(np.abs(curve).max() for curve in still.outline("contour"))
     norm = panels.norm_of([], -1, 1)
     for one, run in zip(axes.ravel(), (still, turned, frozen)):
-        drawn, _ = panels.field_map(one, "phi", "phi", run, run.snapshot_of("phi", None, "grid"), "phi", norm)
-    rest = panels.outlines(axes[1, 1], "contours", "without rotation", still.outline("contour"), color=style.THEORY, lw=1.8, alpha=0.45)
+        last = run.snapshot_of("phi", None, "grid")
+        drawn, _ = panels.field_map(one, "phi", "phi", run, last, "phi", norm)
+    below = {"color": style.THEORY, "lw": 1.8, "alpha": 0.45}
+    rest = panels.outlines(axes[1, 1], "contours", "without rotation", still.outline("contour"), **below)
     back = panels.outlines(
         axes[1, 1],
         "contours",

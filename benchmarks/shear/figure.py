@@ -81,7 +81,8 @@ def figure9(results):
             one.set_title(name if field == "von_mises" else "", fontsize=9)
             one.set(xlim=(1.45, 3.55), ylim=(0.1, 2.3))
             panels.plain(one)
-        panels.colour_bar(figure, drawn, row, label, extend="max" if np.nanmax(values) > top * (1 + 1e-6) else "neither")
+        above = np.nanmax(values) > top * (1 + 1e-6)
+        panels.colour_bar(figure, drawn, row, label, extend="max" if above else "neither")
     y = points.scene["domain"]["size"][1] / 2
     axes[0, 1].plot([1.5, 3.5], [y, y], color="black", lw=0.7, ls=(0, (5, 2)))
     return figure, curves

@@ -38,10 +38,12 @@ def superposed(times, still_x, rate):
     speed = np.gradient(np.interp(fine, times, still_x), fine)
     angle = -0.5 * rate * fine
     step = fine[1] - fine[0]
-    x = still_x[0] + np.concatenate([[0], np.cumsum(0.5 * step * ((speed * np.cos(angle))[1:] + (speed * np.cos(angle))[:-1]))])
-    v_y = speed * np.sin(angle) - rate * x
-    y = np.concatenate([[0], np.cumsum(0.5 * step * (v_y[1:] + v_y[:-1]))])
-    return x, y
+
+    def integral(velocity):
+        return np.concatenate([[0], np.cumsum(0.5 * step * (velocity[1:] + velocity[:-1]))])
+
+    x = still_x[0] + integral(speed * np.cos(angle))
+    return x, integral(speed * np.sin(angle) - rate * x)
 
 
 def figure3(results):

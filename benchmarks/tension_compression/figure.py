@@ -22,8 +22,8 @@ def figure6(results):
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(style.SINGLE, 2.9))
     for body in record.scene["body"]:
         left.add_patch(patches.Rectangle(body["corner"], *body["size"], facecolor=style.SOLID_FILL, lw=0))
-    x0, x1, x2, x3 = 0, 1, 3, 4
-    outline = [(x0, 0), (x3, 0), (x3, 1), (x2, 1), (x2, 6), (x3, 6), (x3, 7), (x0, 7), (x0, 6), (x1, 6), (x1, 1), (x0, 1)]
+    half = [(0, 1), (0, 0), (4, 0), (4, 1), (3, 1), (3, 6)]
+    outline = half + [(4 - x, 7 - y) for x, y in half]
     left.add_patch(patches.Polygon(outline, fill=False, lw=0.8))
     for y, step in ((7.15, 0.7), (-0.15, -0.7)):
         for x in (0.6, 2.0, 3.4):
