@@ -1,0 +1,299 @@
+// One explicit step of Eq. (4) with the stresses of the last one (USL), and as many of them as a
+// call asks.
+#include <cmath>
+
+#include "solid/body.h"
+#include "solid/energy.h"
+#include "solid/mean_velocity.h"
+
+namespace solid
+{
+  namespace
+  {
+    using Clock = std::chrono::steady_clock;
+
+    // Adds the time until its end to one part of the profile.
+    struct Timed
+    {
+      record::Profile::Part &part;
+      Clock::time_point start = Clock::now();
+      double cpu = record::cpu_seconds();
+      Timed(Solid &solid, const char *name) : part(solid.timer.parts[name]) { part.name = name; }
+      ~Timed()
+      {
+        part.wall_s += std::chrono::duration<double>(Clock::now() - start).count();
+        part.cpu_s += record::cpu_seconds() - cpu;
+        ++part.calls;
+      }
+    };
+
+    // Even blocks of rows, then odd ones: neighbours never write at the same time.
+    template <typename F>
+    void two_colours(const int blocks, F &&f)
+    {
+      for (const int colour : {0, 1})
+      {
+#pragma omp for schedule(dynamic, 1)
+        for (int b = colour; b < blocks; b += 2)
+          f(b);
+      }
+    }
+
+    void points_to_nodes(Solid &solid)
+    {
+      Timed timed(solid, "points to nodes");
+      Grid &grid = solid.grid;
+      const auto nodes = static_cast<std::ptrdiff_t>(grid.nodes.size());
+      const int blocks = static_cast<int>(grid.blocks.size());
+#pragma omp parallel num_threads(solid.threads)
+      {
+#pragma omp for schedule(static)
+        for (std::ptrdiff_t n = 0; n < nodes; ++n)
+          grid.nodes[n] = Node{};
+        two_colours(blocks,
+                    [&](const int b)
+                    {
+                      scatter(solid.scheme, solid.supports.folds, solid.points,
+                              solid.loads.acceleration, 1. / solid.material.density, grid,
+                              grid.blocks[b].begin, grid.blocks[b].end);
+                    });
+      }
+    }
+
+    // v = (p + dt f)/m; nodes whose mass is only rounding keep what was brought to them.
+    void move_nodes(Solid &solid, const double dt)
+    {
+      Grid &grid = solid.grid;
+      const double least = 1e-14 * solid.material.density * grid.dx * grid.dx;
+      const auto nodes = static_cast<std::ptrdiff_t>(grid.nodes.size());
+      const bool with_change = !grid.change.empty();
+#pragma omp parallel for schedule(static) num_threads(solid.threads)
+      for (std::ptrdiff_t n = 0; n < nodes; ++n)
+      {
+        const Lanes &node = grid.nodes[n].lanes;
+        const double mass = node[0], inverse = mass > 0. ? 1. / mass : 0.;
+        const double push = mass > least ? dt * inverse : 0.;
+        grid.velocity[n] = {node[1] * inverse + push * node[3], // Eq. (4)
+                            node[2] * inverse + push * node[4]};
+        if (with_change)
+          grid.change[n] = {push * node[3], push * node[4]};
+      }
+    }
+
+    void nodes(Solid &solid, const double dt)
+    {
+      Timed timed(solid, "nodes");
+      const double dx = solid.grid.dx;
+      push(solid.loads, solid.tracers, solid.scheme, solid.supports.folds, solid.grid,
+           solid.material.density * dx * dx, solid.time);
+      move_nodes(solid, dt);
+      hold(solid.supports, solid.scheme, solid.points, solid.fraction, solid.grid, solid.time, dt);
+      book_work(solid.loads, solid.grid, dt);
+      move(solid.tracers, solid.scheme, solid.grid, solid.supports.folds, dt);
+      if (solid.scheme.transfer == Transfer::xpic2)
+        smooth_velocity(solid.scheme, solid.supports.folds, solid.grid, solid.points);
+    }
+
+    Step constants(const Solid &solid, const double dt)
+    {
+      Step step;
+      const Material &material = solid.material;
+      step.dt = dt;
+      step.plastic = material.yield_stress.has_value();
+      step.flow = {material.shear, material.bulk, material.yield_stress.value_or(0.),
+                   material.viscosity / dt};
+      step.inverse_density = 1. / material.density;
+      step.relaxation = solid.scheme.pressure_relaxation;
+      step.lower = solid.domain.lower, step.upper = solid.domain.upper();
+      const double fastest = 0.5 * solid.grid.dx / dt;
+      step.speed_limit2 = fastest * fastest;
+      return step;
+    }
+
+    void clear_cells(CellMeans &cells)
+    {
+      const auto n = static_cast<std::ptrdiff_t>(cells.rate.size());
+#pragma omp for schedule(static)
+      for (std::ptrdiff_t k = 0; k < n; ++k)
+        cells.rate[k] = cells.pressure[k] = CellSum{0., 0.};
+    }
+
+    void nodes_to_points(Solid &solid, const double dt)
+    {
+      Timed timed(solid, "nodes to points");
+      const Step step = constants(solid, dt);
+      const Scheme &scheme = solid.scheme;
+      const FoldTable &folds = solid.supports.folds;
+      Points &points = solid.points;
+      const Grid &grid = solid.grid;
+      const int blocks = static_cast<int>(grid.blocks.size());
+      CellMeans *const means = scheme.anti_locking ? &solid.cells : nullptr;
+      solid.shares.assign(blocks, Share{});
+      const auto finish = [&](const int b)
+      {
+        const Block &block = grid.blocks[b];
+        if (scheme.transfer == Transfer::apic)
+          gather_affine(scheme, folds, grid, points, block.begin, block.end);
+        move(points, solid.moving, grid, step, means, solid.shares[b], block.begin, block.end);
+      };
+#pragma omp parallel num_threads(solid.threads)
+      {
+        if (means)
+          clear_cells(*means);
+        two_colours(blocks,
+                    [&](const int b)
+                    {
+                      const Block &block = grid.blocks[b];
+                      gather(scheme, folds, grid, points, solid.moving, block.begin, block.end);
+                      if (means)
+                        collect_rates(points, grid, step, *means, block.begin, block.end);
+                    });
+        two_colours(blocks,
+                    [&](const int b)
+                    {
+                      const Block &block = grid.blocks[b];
+                      update_stress(points, grid, step, means, solid.shares[b], block.begin,
+                                    block.end);
+                      if (!means)
+                        finish(b);
+                    });
+        if (means)
+          two_colours(blocks, finish);
+      }
+    }
+
+    void sort_points(Solid &solid)
+    {
+      Grid &grid = solid.grid;
+      const bool first = grid.blocks.empty() && solid.points.active > 0;
+      if (!first && grid.drift < 0.25 * grid.dx)
+        return;
+      Timed timed(solid, "sorting");
+      sort(solid.points, grid, solid.scratch, solid.scheme.incremental(), solid.threads);
+      solid.supports.marked.clear();
+      resize_with_grid(solid);
+      refine(solid.tracers, grid.dx);
+    }
+
+    [[noreturn]] void report(const Solid &solid, const std::string &cause, const std::size_t p)
+    {
+      const Point place =
+          p < solid.points.size() ? Point(solid.points.x[p], solid.points.y[p]) : Point(0., 0.);
+      throw Trouble(cause, solid.steps, solid.time, place);
+    }
+
+    void check_point(const Solid &solid, const std::size_t p)
+    {
+      const Points &points = solid.points;
+      const Point lower = solid.domain.lower, upper = solid.domain.upper();
+      const Point initial = solid.fraction.initial(points, p);
+      const std::string which = "the material point that started at (" +
+                                std::to_string(initial[0]) + ", " + std::to_string(initial[1]) +
+                                ") ";
+      if (!std::isfinite(points.x[p] + points.y[p] + points.sxx[p] + points.syy[p]))
+        report(solid, which + "is no longer finite; take a smaller mpm.step_fraction", p);
+      if (!(points.jacobian[p] > 0.))
+        report(solid,
+               which + "is turned inside out; refine domain.cells or take a smaller "
+                       "mpm.step_fraction",
+               p);
+      if (points.x[p] < lower[0] || points.x[p] > upper[0] || points.y[p] < lower[1] ||
+          points.y[p] > upper[1])
+        report(solid, which + "has left the mesh; enlarge domain.size", p);
+      report(solid, which + "crosses half a cell in one step; take a smaller mpm.step_fraction", p);
+    }
+
+    std::size_t fastest(const Points &points)
+    {
+      std::size_t found = 0;
+      double largest = 0.;
+      for (std::size_t p = 0; p < points.active; ++p)
+        if (const double v = std::hypot(points.vx[p], points.vy[p]); v > largest)
+          largest = v, found = p;
+      return found;
+    }
+
+    void take_stock(Solid &solid, const double dt)
+    {
+      double kinetic = 0., speed2 = 0.;
+      for (const Share &share : solid.shares)
+      {
+        if (share.bad >= 0)
+          check_point(solid, static_cast<std::size_t>(share.bad));
+        kinetic += share.kinetic, solid.energy.dissipated += share.dissipated;
+        speed2 = std::max(speed2, share.largest_speed2);
+      }
+      solid.energy.kinetic = kinetic;
+      solid.speed = std::sqrt(speed2);
+      solid.grid.drift += dt * std::max(solid.speed, solid.supports.speed);
+      const double given = solid.energy.start + solid.supports.work_done + solid.loads.work_done;
+      const double rounding = 1e-18 * solid.material.wave_modulus() * solid.domain.size.prod();
+      if (kinetic > 2. * given + rounding)
+        report(solid,
+               "the kinetic energy exceeds twice all that was ever put in; take a smaller "
+               "mpm.step_fraction",
+               fastest(solid.points));
+    }
+  } // namespace
+
+  void step(Solid &solid, const double dt)
+  {
+    sort_points(solid);
+    place(solid.supports, solid.tracers, solid.grid, solid.time);
+    evaluate_body_force(solid.loads, solid.points, solid.fraction, solid.time);
+    points_to_nodes(solid);
+    nodes(solid, dt);
+    nodes_to_points(solid, dt);
+    book_body_work(solid.loads, solid.points, dt);
+    carry(solid.supports, solid.points, solid.tracers, solid.fraction, solid.time, dt);
+    solid.time += dt;
+    ++solid.steps;
+    take_stock(solid, dt);
+  }
+
+  void resize_with_grid(Solid &solid)
+  {
+    if (solid.scheme.anti_locking)
+      solid.cells.resize(solid.grid.nodes.size());
+    if (solid.scheme.incremental())
+      solid.moving.vx.resize(solid.points.size()), solid.moving.vy.resize(solid.points.size());
+  }
+
+  double stable_step(const Solid &solid)
+  {
+    const double fastest = std::max(solid.speed, solid.supports.speed);
+    return solid.scheme.step_fraction * solid.grid.dx / (solid.material.wave_speed() + fastest);
+  }
+
+  void advance(Solid &solid, const double dt, NodalVelocity *mean)
+  {
+    const double start = solid.time;
+    for (Support &support : solid.supports.all)
+      support.call_impulse = Point::Zero();
+    if (mean)
+      reset(*mean, solid.domain);
+    double left = dt;
+    while (left > 0.)
+    {
+      const double count = std::ceil(left / stable_step(solid) - 1e-9);
+      const double length = count <= 1. ? left : left / count;
+      step(solid, length);
+      if (mean)
+        add(*mean, solid.grid, solid.domain, length / dt);
+      left = count <= 1. ? 0. : left - length;
+    }
+    if (mean)
+      finish(*mean);
+    // The end is exactly where it was asked for, however many steps it took.
+    solid.time = start + dt;
+    solid.call_duration = dt;
+  }
+
+  Trouble::Trouble(const std::string &cause, const long step, const double time, const Point &place)
+      : std::runtime_error("numerical trouble in step " + std::to_string(step) + " at time " +
+                           std::to_string(time) + " near (" + std::to_string(place[0]) + ", " +
+                           std::to_string(place[1]) + "): " + cause),
+        step(step), time(time), place(place)
+  {
+  }
+} // namespace solid

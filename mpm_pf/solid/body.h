@@ -1,0 +1,58 @@
+// Everything that moves, in one place: what solid.h hands out only by name.
+#pragma once
+
+#include <chrono>
+
+#include "solid/constitutive.h"
+#include "solid/loads.h"
+#include "solid/solid.h"
+#include "solid/supports.h"
+
+namespace solid
+{
+  struct Growing; // ledger.h
+
+  struct Energy
+  {
+    double start = 0.;      // kinetic and elastic, at the start and with what growth has added
+    double kinetic = 0.;    // now
+    double dissipated = 0.; // by plastic flow since the start
+  };
+
+  struct Timer
+  {
+    std::map<std::string, record::Profile::Part> parts;
+  };
+
+  struct Solid
+  {
+    Scheme scheme;
+    Material material;
+    Fraction fraction;
+    scene::Domain domain;
+    Points points;
+    Grid grid;
+    CellMeans cells;
+    Moving moving;
+    Supports supports;
+    Loads loads;
+    Tracers tracers;
+    Energy energy;
+    SortScratch scratch;
+    std::vector<Share> shares; // of the blocks
+    std::array<int, 2> points_per_cell{2, 2};
+    std::shared_ptr<Growing> growing; // once a crystal's points exist
+    Timer timer;
+    double time = 0., speed = 0.; // largest speed of a point
+    double call_duration = 0.;    // of the last call of advance
+    double reference_speed = 0.;  // that the Mach number refers to
+    double bin = 0.;              // side of the bins of a sampled line unless it says otherwise
+    long steps = 0;
+    int threads = 1;
+
+    explicit Solid(const scene::Scene &scene) : fraction(scene.domain), domain(scene.domain) {}
+  };
+
+  /// Arrays beside the grid take its size, those of incremental transfers that of the points.
+  void resize_with_grid(Solid &);
+} // namespace solid

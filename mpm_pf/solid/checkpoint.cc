@@ -1,0 +1,143 @@
+// Full state as named vectors of doubles; 32-bit numbers fit in them exactly.
+#include "solid/body.h"
+
+namespace solid
+{
+  namespace
+  {
+    std::vector<double> pack(const Supports &supports)
+    {
+      std::vector<double> packed{supports.work, supports.work_done, supports.speed};
+      for (const Support &support : supports.all)
+        packed.insert(packed.end(),
+                      {support.impulse[0], support.impulse[1], support.call_impulse[0],
+                       support.call_impulse[1], support.displacement[0], support.displacement[1]});
+      return packed;
+    }
+
+    void unpack(const std::vector<double> &packed, Supports &supports)
+    {
+      if (packed.size() != 3 + 6 * supports.all.size())
+        throw std::runtime_error("the checkpoint has other supports than the scene");
+      supports.work = packed[0], supports.work_done = packed[1], supports.speed = packed[2];
+      const double *next = &packed[3];
+      for (Support &support : supports.all)
+        for (Point *value : {&support.impulse, &support.call_impulse, &support.displacement})
+          (*value)[0] = *next++, (*value)[1] = *next++;
+    }
+
+    std::vector<double> pack(const Grid &grid)
+    {
+      std::vector<double> packed{static_cast<double>(grid.row_begin),
+                                 static_cast<double>(grid.row_end), grid.drift};
+      for (const int column : grid.column_begin)
+        packed.push_back(column);
+      for (const int column : grid.column_end)
+        packed.push_back(column);
+      for (const Block &block : grid.blocks)
+        packed.insert(packed.end(),
+                      {static_cast<double>(block.row), static_cast<double>(block.begin),
+                       static_cast<double>(block.end)});
+      return packed;
+    }
+
+    void unpack(const std::vector<double> &packed, Grid &grid, const bool with_change)
+    {
+      grid.row_begin = static_cast<int>(packed.at(0)),
+      grid.row_end = static_cast<int>(packed.at(1));
+      grid.drift = packed.at(2);
+      const auto rows = static_cast<std::size_t>(grid.row_end - grid.row_begin);
+      const double *next = packed.data() + 3;
+      grid.column_begin.assign(next, next + rows), next += rows;
+      grid.column_end.assign(next, next + rows), next += rows;
+      grid.blocks.clear();
+      for (; next < packed.data() + packed.size(); next += 3)
+        grid.blocks.push_back({static_cast<int>(next[0]), static_cast<std::size_t>(next[1]),
+                               static_cast<std::size_t>(next[2])});
+      allocate(grid, with_change);
+    }
+
+    constexpr std::size_t per_tracer = 7;
+
+    std::vector<double> pack(const std::vector<Tracer> &outline)
+    {
+      std::vector<double> packed;
+      for (const Tracer &t : outline)
+        packed.insert(packed.end(), {t.X[0], t.X[1], t.x[0], t.x[1], static_cast<double>(t.line),
+                                     static_cast<double>(t.grip), static_cast<double>(t.loads)});
+      return packed;
+    }
+
+    std::vector<Tracer> unpack(const std::vector<double> &packed)
+    {
+      std::vector<Tracer> outline;
+      for (std::size_t k = 0; k + per_tracer <= packed.size(); k += per_tracer)
+        outline.push_back({{packed[k], packed[k + 1]},
+                           {packed[k + 2], packed[k + 3]},
+                           static_cast<int>(packed[k + 4]),
+                           static_cast<int>(packed[k + 5]),
+                           static_cast<std::uint32_t>(packed[k + 6])});
+      return outline;
+    }
+
+    const std::vector<double> &find(const Checkpoint &state, const std::string &name)
+    {
+      const auto found = state.find(name);
+      if (found == state.end())
+        throw std::runtime_error("the checkpoint lacks \"" + name + "\"; it is of another scene");
+      return found->second;
+    }
+  } // namespace
+
+  Checkpoint checkpoint(const Solid &solid)
+  {
+    Checkpoint state;
+    for_each_array(solid.points, [&](const char *name, const auto &array)
+                   { state[name] = std::vector<double>(array.begin(), array.end()); });
+    state["numbers"] = {solid.time,
+                        static_cast<double>(solid.steps),
+                        solid.speed,
+                        solid.call_duration,
+                        solid.energy.start,
+                        solid.energy.kinetic,
+                        solid.energy.dissipated,
+                        solid.loads.work,
+                        solid.loads.work_done,
+                        static_cast<double>(solid.points.active),
+                        static_cast<double>(solid.tracers.outlines.size()),
+                        solid.material.density};
+    state["supports"] = pack(solid.supports);
+    state["grid"] = pack(solid.grid);
+    for (std::size_t k = 0; k < solid.tracers.outlines.size(); ++k)
+      state["outline " + std::to_string(k)] = pack(solid.tracers.outlines[k]);
+    return state;
+  }
+
+  void restore(Solid &solid, const Checkpoint &state)
+  {
+    const std::vector<double> &numbers = find(state, "numbers");
+    if (numbers.size() != 12 || numbers[11] != solid.material.density)
+      throw std::runtime_error("the checkpoint is of another scene: it has another density");
+    unpack(find(state, "supports"), solid.supports);
+    for_each_array(solid.points,
+                   [&](const char *name, auto &array)
+                   {
+                     using Value = typename std::decay_t<decltype(array)>::value_type;
+                     const std::vector<double> &saved = find(state, name);
+                     array.resize(saved.size());
+                     for (std::size_t p = 0; p < saved.size(); ++p)
+                       array[p] = static_cast<Value>(saved[p]);
+                   });
+    solid.time = numbers[0], solid.steps = static_cast<long>(numbers[1]);
+    solid.speed = numbers[2], solid.call_duration = numbers[3];
+    solid.energy = {numbers[4], numbers[5], numbers[6]};
+    solid.loads.work = numbers[7], solid.loads.work_done = numbers[8];
+    solid.points.active = static_cast<std::size_t>(numbers[9]);
+    solid.tracers.outlines.clear();
+    for (std::size_t k = 0; k < static_cast<std::size_t>(numbers[10]); ++k)
+      solid.tracers.outlines.push_back(unpack(find(state, "outline " + std::to_string(k))));
+    unpack(find(state, "grid"), solid.grid, solid.scheme.incremental());
+    solid.supports.marked.clear();
+    resize_with_grid(solid);
+  }
+} // namespace solid

@@ -1,0 +1,98 @@
+#include "solid/energy.h"
+
+#include "solid/body.h"
+
+namespace solid
+{
+  namespace
+  {
+    template <typename F>
+    double sum(const Solid &solid, F &&f)
+    {
+      double total = 0.;
+      for (std::size_t p = 0; p < solid.points.size(); ++p)
+        total += f(p);
+      return total;
+    }
+  } // namespace
+
+  double kinetic_energy(const Solid &solid)
+  {
+    const Points &points = solid.points;
+    return sum(solid,
+               [&](const std::size_t p) {
+                 return 0.5 * points.mass[p] *
+                        (points.vx[p] * points.vx[p] + points.vy[p] * points.vy[p]);
+               });
+  }
+
+  double elastic_energy(const Solid &solid)
+  {
+    const Points &points = solid.points;
+    const double deviatoric = 1. / (6. * solid.material.shear);
+    const double volumetric = 0.5 / solid.material.bulk;
+    return sum(solid,
+               [&](const std::size_t k)
+               {
+                 const Stress s{points.sxx[k], points.syy[k], points.szz[k], points.sxy[k]};
+                 const double q = von_mises(s), p = pressure(s);
+                 return points.mass[k] / solid.material.density * points.jacobian[k] *
+                        (q * q * deviatoric + p * p * volumetric);
+               });
+  }
+
+  Point momentum(const Solid &solid)
+  {
+    const Points &points = solid.points;
+    return {sum(solid, [&](const std::size_t p) { return points.mass[p] * points.vx[p]; }),
+            sum(solid, [&](const std::size_t p) { return points.mass[p] * points.vy[p]; })};
+  }
+
+  double area(const Solid &solid)
+  {
+    const Points &points = solid.points;
+    return sum(solid, [&](const std::size_t p)
+               { return points.mass[p] / solid.material.density * points.jacobian[p]; });
+  }
+
+  double mass(const Solid &solid)
+  {
+    return sum(solid, [&](const std::size_t p) { return solid.points.mass[p]; });
+  }
+
+  History history(const Solid &solid)
+  {
+    const double kinetic = kinetic_energy(solid), elastic = elastic_energy(solid);
+    const double work = solid.supports.work + solid.loads.work;
+    const double internal = elastic + solid.energy.dissipated;
+    const Point p = momentum(solid);
+    History history;
+    history.columns.names = {
+        "kinetic_energy", "elastic_energy", "plastic_dissipation", "external_work",
+        "energy_balance", "momentum_x",     "momentum_y",          "area",
+        "mass",           "largest_speed",  "kinetic_to_internal"};
+    history.columns.units = {"energy/length",
+                             "energy/length",
+                             "energy/length",
+                             "energy/length",
+                             "energy/length",
+                             "momentum/length",
+                             "momentum/length",
+                             "area",
+                             "mass/length",
+                             "speed",
+                             "1"};
+    history.row = {kinetic,
+                   elastic,
+                   solid.energy.dissipated,
+                   work,
+                   work + solid.energy.start - kinetic - elastic - solid.energy.dissipated,
+                   p[0],
+                   p[1],
+                   area(solid),
+                   mass(solid),
+                   solid.speed,
+                   internal > 0. ? kinetic / internal : 0.};
+    return history;
+  }
+} // namespace solid

@@ -1,0 +1,17 @@
+// Energies and momentum of the points.
+//
+// Elastic energy a volume for Hooke's law: q^2/6G + p^2/2K. The balance work + start - kinetic -
+// elastic - dissipated is what the scheme itself takes away (transfers damp what the grid cannot
+// carry); it must not become negative by more than the rounding of a run.
+#pragma once
+
+#include "solid/solid.h"
+
+namespace solid
+{
+  double kinetic_energy(const Solid &);
+  double elastic_energy(const Solid &);
+  Point momentum(const Solid &);
+  double area(const Solid &);
+  double mass(const Solid &);
+} // namespace solid

@@ -1,0 +1,128 @@
+#include "solid/loads.h"
+
+#include <string>
+
+#include "scene/geometry.h"
+#include "scene/reader.h"
+
+namespace solid
+{
+  Loads make_loads(const scene::Scene &scene, Tracers &tracers)
+  {
+    Loads loads;
+    const scene::Box box = scene::bounding_box(scene.bodies);
+    const double tolerance = 1e-6 * scene.domain.spacing()[0];
+    for (const scene::Traction &asked : scene.tractions)
+    {
+      const std::size_t index = loads.tractions.size();
+      bool any = false;
+      for (auto &outline : tracers.outlines)
+        for (std::size_t k = 0; k < outline.size(); ++k)
+          if (scene::contains(asked.where, box, on_chord(outline, k, 0.5)[0], tolerance))
+            outline[k].loads |= 1u << index, any = true;
+      const std::string where = asked.place.file + ":" + std::to_string(asked.place.line) +
+                                ": traction \"" + asked.name + "\" ";
+      if (!any)
+        throw scene::BadScene(where + "touches no straight piece of the outline; name an edge or a "
+                                      "segment on it");
+      if (index >= 32)
+        throw scene::BadScene(where + "is the 33rd traction; at most 32 are possible");
+      loads.tractions.push_back(
+          {asked.name, {scene::Function(asked.traction[0]), scene::Function(asked.traction[1])}});
+    }
+    if (scene.body_force)
+      loads.body_force.emplace(
+          std::array<scene::Function, 2>{scene::Function(scene.body_force->acceleration[0]),
+                                         scene::Function(scene.body_force->acceleration[1])});
+    return loads;
+  }
+
+  void evaluate_body_force(Loads &loads, const Points &points, const Fraction &fraction,
+                           const double t)
+  {
+    if (!loads.body_force)
+      return;
+    const auto &[bx, by] = *loads.body_force;
+    Acceleration &acceleration = loads.acceleration;
+    if (!bx.depends_on_position() && !by.depends_on_position())
+    {
+      const scene::Argument at{Point::Zero(), Point::Zero(), t};
+      acceleration.uniform = {bx(at), by(at)};
+      return;
+    }
+    acceleration.x.resize(points.size()), acceleration.y.resize(points.size());
+    for (std::size_t p = 0; p < points.active; ++p)
+    {
+      const scene::Argument at{fraction.initial(points, p), {points.x[p], points.y[p]}, t};
+      acceleration.x[p] = bx(at), acceleration.y[p] = by(at);
+    }
+  }
+
+  namespace
+  {
+    void spread(Loads &loads, const Scheme &scheme, const FoldTable &table, Grid &grid,
+                const double full_mass, const Point &x, const Point &force)
+    {
+      const Stencil s = stencil(scheme, grid, table, x);
+      double share[9], sum = 0.;
+      for (int k = 0; k < 9; ++k)
+      {
+        const double mass = grid.nodes[grid.at(s.i - 1 + k % 3, s.j - 1 + k / 3)].mass();
+        share[k] = s.x.w[k % 3] * s.y.w[k / 3] * std::min(1., mass / (0.1 * full_mass));
+        sum += share[k];
+      }
+      for (int k = 0; k < 9 && sum > 0.; ++k)
+      {
+        const std::ptrdiff_t n = grid.at(s.i - 1 + k % 3, s.j - 1 + k / 3);
+        const Point part = share[k] / sum * force;
+        grid.nodes[n].lanes[3] += part[0], grid.nodes[n].lanes[4] += part[1];
+        loads.pushes.push_back({n, part});
+      }
+    }
+  } // namespace
+
+  void push(Loads &loads, const Tracers &tracers, const Scheme &scheme, const FoldTable &table,
+            Grid &grid, const double full_mass, const double t)
+  {
+    loads.pushes.clear();
+    for (const auto &outline : tracers.outlines)
+      for (std::size_t k = 0; k < outline.size(); ++k)
+      {
+        if (outline[k].loads == 0)
+          continue;
+        const double length = (outline[(k + 1) % outline.size()].x - outline[k].x).norm();
+        for (const double s : {0.5 - 0.5 / std::sqrt(3.), 0.5 + 0.5 / std::sqrt(3.)})
+        {
+          const auto [X, x] = on_chord(outline, k, s);
+          Point force = Point::Zero();
+          for (std::size_t l = 0; l < loads.tractions.size(); ++l)
+            if (outline[k].loads & (1u << l))
+              for (int c = 0; c < 2; ++c)
+                force[c] += 0.5 * length * loads.tractions[l].traction[c]({X, x, t});
+          spread(loads, scheme, table, grid, full_mass, x, force);
+        }
+      }
+  }
+
+  void book_work(Loads &loads, const Grid &grid, const double dt)
+  {
+    for (const Loads::Push &push : loads.pushes)
+    {
+      const Velocity &v = grid.velocity[push.node];
+      const double work = dt * (push.force[0] * v.x + push.force[1] * v.y);
+      loads.work += work, loads.work_done += std::abs(work);
+    }
+  }
+
+  void book_body_work(Loads &loads, const Points &points, const double dt)
+  {
+    if (!loads.body_force)
+      return;
+    const Acceleration &a = loads.acceleration;
+    double work = 0.;
+    for (std::size_t p = 0; p < points.active; ++p)
+      work += points.mass[p] * (points.vx[p] * (a.x.empty() ? a.uniform[0] : a.x[p]) +
+                                points.vy[p] * (a.y.empty() ? a.uniform[1] : a.y[p]));
+    loads.work += dt * work, loads.work_done += std::abs(dt * work);
+  }
+} // namespace solid

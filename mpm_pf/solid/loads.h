@@ -1,0 +1,52 @@
+// Tractions on the outline and body forces.
+//
+// A traction acts on the chords between tracers, per current length, integrated with two Gauss
+// points each. A node takes its share by the shape functions, reduced where it has hardly any mass
+// (a light node at the tail of a spline would be flung off by a force that the points behind it
+// never feel); shares are scaled to the whole force.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "scene/expression.h"
+#include "solid/tracers.h"
+
+namespace solid
+{
+  struct Load
+  {
+    std::string name;
+    std::array<scene::Function, 2> traction;
+  };
+
+  struct Loads
+  {
+    std::vector<Load> tractions;
+    struct Push
+    {
+      std::ptrdiff_t node;
+      Point force;
+    };
+    std::vector<Push> pushes; // of this step, for their work
+    std::optional<std::array<scene::Function, 2>> body_force;
+    Acceleration acceleration;
+    double work = 0., work_done = 0.; // since the start; sum of absolute values
+  };
+
+  /// Marks the tracers of loaded chords. Throws scene::BadScene for a traction that touches
+  /// nothing.
+  Loads make_loads(const scene::Scene &, Tracers &);
+
+  /// Accelerations of the active points at time t.
+  void evaluate_body_force(Loads &, const Points &, const Fraction &, double t);
+
+  /// Add the tractions at time t to the nodal forces. `full_mass`: of a node inside the material.
+  void push(Loads &, const Tracers &, const Scheme &, const FoldTable &, Grid &, double full_mass,
+            double t);
+
+  /// Book the work of tractions over dt with the new nodal velocities.
+  void book_work(Loads &, const Grid &, double dt);
+  /// Book the work of body forces over dt with the points' new velocities.
+  void book_body_work(Loads &, const Points &, double dt);
+} // namespace solid

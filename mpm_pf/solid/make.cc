@@ -1,0 +1,182 @@
+#include <algorithm>
+#include <cmath>
+
+#include "scene/geometry.h"
+#include "scene/reader.h"
+#include "solid/body.h"
+#include "solid/energy.h"
+#include "solid/ledger.h"
+#include "solid/seeding.h"
+
+namespace solid
+{
+  namespace
+  {
+    [[noreturn]] void refuse(const scene::Place &place, const std::string &cause)
+    {
+      throw scene::BadScene(place.file + ":" + std::to_string(place.line) + ": " + cause);
+    }
+
+    Scheme make_scheme(const scene::Scene &scene, const scene::Mpm &mpm)
+    {
+      Scheme scheme;
+      scheme.shape = mpm.shape_function;
+      scheme.transfer = mpm.transfer;
+      scheme.flip_fraction = mpm.transfer == Transfer::pic ? 0. : mpm.flip_fraction;
+      for (int k = 0; k < 2; ++k)
+        scheme.half_size[k] = 0.5 / mpm.points_per_cell[k];
+      scheme.anti_locking = mpm.anti_locking.value_or(scene.solid->yield_stress.has_value());
+      scheme.pressure_relaxation = mpm.pressure_relaxation;
+      scheme.step_fraction = mpm.step_fraction;
+      return scheme;
+    }
+
+    void make_grid(Grid &grid, const scene::Domain &domain)
+    {
+      const Point dx = domain.spacing();
+      if (std::abs(dx[0] - dx[1]) > 1e-9 * dx[0])
+        refuse(domain.place, "domain.cells gives cells of " + std::to_string(dx[0]) + " x " +
+                                 std::to_string(dx[1]) +
+                                 "; material points need square ones: choose cells in the "
+                                 "proportion of size");
+      grid.lower = domain.lower, grid.dx = dx[0], grid.inverse_dx = 1. / dx[0];
+      grid.cells = domain.cells;
+    }
+
+    // Supports say how fast things move; without them, the walls and what the bodies start with.
+    double reference_speed(const scene::Scene &scene, const scene::Mpm &mpm,
+                           const Supports &supports)
+    {
+      if (mpm.reference_speed)
+        return *mpm.reference_speed;
+      double speed = largest_prescribed_speed(supports, scene.clock.end);
+      for (const scene::Wall &wall : scene.walls)
+        speed = std::max(speed, std::abs(wall.speed));
+      if (mpm.mach && !(speed > 0.))
+        refuse(mpm.place, "mpm.mach scales the density by the speed of supports or walls, but none "
+                          "of them moves; give mpm.reference_speed or leave mach out");
+      return speed;
+    }
+
+    double largest_speed(const Points &points)
+    {
+      double largest = 0.;
+      for (std::size_t p = 0; p < points.size(); ++p)
+        largest = std::max(largest, std::hypot(points.vx[p], points.vy[p]));
+      return largest;
+    }
+  } // namespace
+
+  Owner make_solid(const scene::Scene &scene, const int threads)
+  {
+    const scene::Mpm mpm = scene.mpm.value_or(scene::Mpm{});
+    Owner owner(new Solid(scene));
+    Solid &solid = *owner;
+    solid.scheme = make_scheme(scene, mpm);
+    make_grid(solid.grid, scene.domain);
+    solid.threads = threads;
+    // The density only scales the masses, so it may come after all that needs the points.
+    solid.material = make_material(*scene.solid, {}, 0.);
+    solid.points_per_cell = mpm.points_per_cell;
+    if (!scene.growth) // else activate() makes the points, once something presses on the crystal
+    {
+      solid.points = make_points(scene, solid.material, mpm.points_per_cell);
+      solid.tracers = make_tracers(scene.bodies, 0.5 * solid.grid.dx);
+    }
+    solid.supports = make_supports(scene, solid.points, solid.tracers);
+    solid.loads = make_loads(scene, solid.tracers);
+    solid.reference_speed = reference_speed(scene, mpm, solid.supports);
+    solid.material = make_material(*scene.solid, mpm.mach, solid.reference_speed);
+    for (double &mass : solid.points.mass)
+      mass *= solid.material.density_scale;
+    solid.speed = largest_speed(solid.points);
+    solid.energy.start = kinetic_energy(solid) + elastic_energy(solid);
+    const scene::Box box = scene::bounding_box(scene.bodies);
+    solid.bin = (box.upper - box.lower)[0] / 20.;
+    return owner;
+  }
+
+  void Deleter::operator()(Solid *solid) const
+  {
+    delete solid;
+  }
+
+  double time(const Solid &solid)
+  {
+    return solid.time;
+  }
+
+  long steps(const Solid &solid)
+  {
+    return solid.steps;
+  }
+
+  long points(const Solid &solid)
+  {
+    return static_cast<long>(solid.points.size());
+  }
+
+  long cells(const Solid &solid)
+  {
+    return static_cast<long>(solid.grid.nodes.size());
+  }
+
+  std::map<std::string, double> memory(const Solid &solid)
+  {
+    const Grid &grid = solid.grid;
+    const SortScratch &scratch = solid.scratch;
+    const double per_node = sizeof(Node) + sizeof(Velocity) + 1. +
+                            (grid.change.empty() ? 0. : sizeof(Velocity)) +
+                            (solid.cells.rate.empty() ? 0. : 2. * sizeof(CellSum));
+    return {{"points", static_cast<double>(bytes_per_point() * solid.points.size())},
+            {"grid", per_node * static_cast<double>(grid.nodes.size())},
+            {"scratch",
+             4. * static_cast<double>(scratch.key.size() + scratch.order.size() +
+                                      scratch.count.size()) +
+                 8. * static_cast<double>(scratch.values.size() + 2 * solid.moving.vx.size())}};
+  }
+
+  std::vector<record::Profile::Part> profile(const Solid &solid)
+  {
+    std::vector<record::Profile::Part> parts;
+    for (const auto &[name, part] : solid.timer.parts)
+      parts.push_back(part);
+    return parts;
+  }
+
+  std::map<std::string, double> numbers(const Solid &solid)
+  {
+    const Material &material = solid.material;
+    std::map<std::string, double> all{{"density", material.density},
+                                      {"density_scale", material.density_scale},
+                                      {"wave_speed", material.wave_speed()},
+                                      {"reference_speed", solid.reference_speed}};
+    all["mach"] = solid.reference_speed / material.wave_speed();
+    return all;
+  }
+
+  Reaction reaction(const Solid &solid, const std::string &support)
+  {
+    for (const Support &found : solid.supports.all)
+      if (found.name == support)
+      {
+        const Point force = solid.call_duration > 0.
+                                ? Point(found.call_impulse / solid.call_duration)
+                                : Point(0., 0.);
+        return {found.impulse, force, found.displacement};
+      }
+    throw std::out_of_range("no support is named \"" + support + "\"");
+  }
+
+  std::vector<scene::Polyline> material_outline(const Solid &solid)
+  {
+    std::vector<scene::Polyline> lines;
+    for (const auto &outline : solid.tracers.outlines)
+    {
+      lines.emplace_back();
+      for (const Tracer &tracer : outline)
+        lines.back().push_back(tracer.x);
+    }
+    return lines;
+  }
+} // namespace solid

@@ -1,0 +1,210 @@
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+#include "solid/ledger.h"
+
+namespace solid
+{
+  namespace
+  {
+    double kinetic_energy_of(const Points &points, const std::size_t p)
+    {
+      return 0.5 * points.mass[p] * (points.vx[p] * points.vx[p] + points.vy[p] * points.vy[p]);
+    }
+
+    double energy_of(const Solid &solid, const std::size_t k)
+    {
+      const Points &points = solid.points;
+      const Stress s{points.sxx[k], points.syy[k], points.szz[k], points.sxy[k]};
+      const double q = von_mises(s), p = pressure(s);
+      return kinetic_energy_of(points, k) +
+             points.mass[k] / solid.material.density * points.jacobian[k] *
+                 (q * q / (6. * solid.material.shear) + 0.5 * p * p / solid.material.bulk);
+    }
+
+    // A new point moves with the solid around it; what that brings in is no work of supports.
+    void add_grown_point(Solid &solid, const Point &at, const double area)
+    {
+      const bool moving = !solid.grid.nodes.empty();
+      const Point v = moving
+                          ? transferred_velocity(solid.scheme, solid.grid, solid.supports.folds, at)
+                          : Point(0., 0.);
+      const std::size_t p = insert_point(solid, at, solid.material.density * area);
+      solid.points.vx[p] = v[0], solid.points.vy[p] = v[1];
+      solid.energy.start += kinetic_energy_of(solid.points, p);
+      Ledger &ledger = solid.growing->ledger;
+      ledger.seeded += area, ++ledger.seeded_points;
+    }
+
+    // On the contour in the cell, or in the middle of a cell that became solid as a whole. Where
+    // more than a point's share has come at once, several points share it.
+    void seed_cell(Solid &solid, const medium::CellAreas &areas, medium::CellValue &debt)
+    {
+      const int i = static_cast<int>(debt.cell % solid.grid.cells[0]);
+      const int j = static_cast<int>(debt.cell / solid.grid.cells[0]);
+      const medium::CellPart part = areas.part(i, j);
+      if (part.pieces == 0)
+        return;
+      const double least = least_share * solid.grid.dx * solid.grid.dx;
+      const int count = std::min(4, static_cast<int>(debt.value / least));
+      const scene::Box cell = areas.box(i, j);
+      scene::Segment line{cell.lower, cell.upper};
+      if (part.segments > 0)
+        line = part.segment[0];
+      const Point inset = 1e-3 * (cell.upper - cell.lower);
+      for (int k = 0; k < count; ++k)
+      {
+        const Point at = line.a + (k + 0.5) / count * (line.b - line.a);
+        add_grown_point(solid, at.cwiseMax(cell.lower + inset).cwiseMin(cell.upper - inset),
+                        debt.value / count);
+      }
+      debt.value = 0.;
+    }
+
+    constexpr int melting_reach = 4; // cells in which points answer for a debt
+
+    using Buckets = std::unordered_map<long, std::vector<std::size_t>>;
+
+    // Call f(number) for the cells of the domain at most `reach` from `cell` each way.
+    template <typename F>
+    void for_square(const std::array<int, 2> &cells, const long cell, const int reach, F &&f)
+    {
+      const int i = static_cast<int>(cell % cells[0]), j = static_cast<int>(cell / cells[0]);
+      for (int b = std::max(0, j - reach); b <= std::min(cells[1] - 1, j + reach); ++b)
+        for (int a = std::max(0, i - reach); a <= std::min(cells[0] - 1, i + reach); ++a)
+          f(static_cast<long>(b) * cells[0] + a);
+    }
+
+    // Points answer for half of the least share; where nothing solid is left, for any debt.
+    bool melts(const medium::CellValue &debt, const medium::CellAreas &areas, const Grid &grid)
+    {
+      const double cell = grid.dx * grid.dx;
+      if (debt.value > -0.5 * least_share * cell)
+        return debt.value < -1e-9 * cell &&
+               areas.corners(static_cast<int>(debt.cell % grid.cells[0]),
+                             static_cast<int>(debt.cell / grid.cells[0])) == 0u;
+      return true;
+    }
+
+    // Sorting again for every single point would cost more than waiting: a fifth of a percent of
+    // all points at once, or as soon as a cell owes a second share.
+    bool worth_it(const Solid &solid, const medium::CellAreas &areas, const double least)
+    {
+      std::size_t due = 0;
+      for (const medium::CellValue &debt : solid.growing->owed)
+      {
+        if (debt.value < 0. && debt.value > -0.5 * least && melts(debt, areas, solid.grid))
+          return true;
+        due += std::abs(debt.value) >= least ? 1 : 0;
+        if (std::abs(debt.value) >= 2. * least)
+          return true;
+      }
+      return 500 * due >= solid.points.size() && due > 0;
+    }
+
+    // The points near cells that owe a negative area, by their cell.
+    Buckets points_near(const Solid &solid, const medium::CellAreas &areas)
+    {
+      const auto &cells = solid.grid.cells;
+      Buckets buckets;
+      for (const medium::CellValue &debt : solid.growing->owed)
+        if (melts(debt, areas, solid.grid))
+          for_square(cells, debt.cell, melting_reach, [&](const long cell) { buckets[cell]; });
+      if (buckets.empty())
+        return buckets;
+      for (std::size_t p = 0; p < solid.points.active; ++p)
+      {
+        const long cell = static_cast<long>(solid.grid.cell(solid.points.y[p], 1)) * cells[0] +
+                          solid.grid.cell(solid.points.x[p], 0);
+        if (const auto bucket = buckets.find(cell); bucket != buckets.end())
+          bucket->second.push_back(p);
+      }
+      return buckets;
+    }
+
+    struct Candidate
+    {
+      double phi;
+      std::size_t point;
+      bool operator<(const Candidate &other) const
+      {
+        return phi != other.phi ? phi < other.phi : point < other.point;
+      }
+    };
+
+    // The points of the smallest square of cells around the debt that has any, outermost first.
+    std::vector<Candidate> outermost(const Solid &solid, const medium::CellAreas &areas,
+                                     const Buckets &buckets, const std::vector<char> &gone,
+                                     const long cell)
+    {
+      std::vector<Candidate> found;
+      for (int reach = 1; reach <= melting_reach && found.empty(); ++reach)
+        for_square(solid.grid.cells, cell, reach,
+                   [&](const long near)
+                   {
+                     for (const std::size_t p : buckets.at(near))
+                       if (!gone[p])
+                         found.push_back({areas.value({solid.points.x[p], solid.points.y[p]}), p});
+                   });
+      std::sort(found.begin(), found.end());
+      return found;
+    }
+  } // namespace
+
+  void melt_back(Solid &solid, const medium::CellAreas &areas)
+  {
+    Growing &growing = *solid.growing;
+    const Buckets buckets = points_near(solid, areas);
+    if (buckets.empty())
+      return;
+    std::vector<char> gone(solid.points.active, 0);
+    std::vector<std::size_t> removed;
+    for (medium::CellValue &debt : growing.owed)
+      for (bool more = melts(debt, areas, solid.grid); more;)
+      {
+        more = false;
+        for (const Candidate &candidate : outermost(solid, areas, buckets, gone, debt.cell))
+        {
+          const std::size_t p = candidate.point;
+          const double area = solid.points.mass[p] / solid.material.density;
+          if (-debt.value < 0.5 * area * (1. - 1e-9))
+            break;
+          debt.value += area;
+          gone[p] = 1, more = debt.value < 0.;
+          removed.push_back(p);
+          solid.energy.start -= energy_of(solid, p);
+          growing.ledger.removed += area, ++growing.ledger.removed_points;
+        }
+      }
+    std::sort(removed.begin(), removed.end());
+    erase_points(solid, removed);
+  }
+
+  void before_growth(Solid &solid, const Crystal &crystal)
+  {
+    if (solid.growing)
+      solid.growing->map.measure(crystal.phi, crystal.mesh, crystal.between_walls);
+  }
+
+  void seed_new_points(Solid &solid, const Crystal &crystal)
+  {
+    if (!solid.growing)
+      return;
+    Growing &growing = *solid.growing;
+    const medium::CellValues change =
+        growing.map.change(crystal.phi, crystal.mesh, crystal.between_walls);
+    for (const medium::CellValue &cell : change)
+      (cell.value > 0. ? growing.ledger.grown : growing.ledger.melted) += std::abs(cell.value);
+    growing.owed = merged(growing.owed, change);
+    const medium::CellAreas areas(crystal.phi, crystal.mesh, crystal.between_walls);
+    hand_over(growing.owed, areas, solid.grid.cells);
+    const double least = least_share * solid.grid.dx * solid.grid.dx;
+    if (!worth_it(solid, areas, least))
+      return;
+    melt_back(solid, areas);
+    for (medium::CellValue &debt : growing.owed)
+      if (debt.value >= least)
+        seed_cell(solid, areas, debt);
+  }
+} // namespace solid

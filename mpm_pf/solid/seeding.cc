@@ -1,0 +1,227 @@
+#include "solid/seeding.h"
+
+#include <string>
+
+#include "scene/expression.h"
+#include "scene/geometry.h"
+#include "scene/reader.h"
+
+namespace solid
+{
+  namespace
+  {
+    using Place = scene::Place;
+
+    [[noreturn]] void refuse(const Place &place, const std::string &cause)
+    {
+      throw scene::BadScene(place.file + ":" + std::to_string(place.line) + ": body " + cause);
+    }
+
+    // A share of the body: where its point is to stand and how large it is.
+    struct Lattice
+    {
+      Point lower, spacing;
+      std::array<int, 2> count;
+      Point centre(const int i, const int j) const
+      {
+        return lower + Point((i + 0.5) * spacing[0], (j + 0.5) * spacing[1]);
+      }
+      double area() const { return spacing[0] * spacing[1]; }
+    };
+
+    Lattice lattice_of(const scene::Domain &domain, const std::array<int, 2> &per_cell)
+    {
+      const Point dx = domain.spacing();
+      return {domain.lower,
+              {dx[0] / per_cell[0], dx[1] / per_cell[1]},
+              {domain.cells[0] * per_cell[0], domain.cells[1] * per_cell[1]}};
+    }
+
+    bool on_lattice(const scene::Body &body, const Lattice &lattice)
+    {
+      const auto *rectangle = std::get_if<scene::Rectangle>(&body.shape);
+      if (!rectangle)
+        return false;
+      for (int k = 0; k < 2; ++k)
+        for (const double x : {rectangle->corner[k], rectangle->corner[k] + rectangle->size[k]})
+        {
+          const double s = (x - lattice.lower[k]) / lattice.spacing[k];
+          if (std::abs(s - std::round(s)) > 1e-6)
+            return false;
+        }
+      return true;
+    }
+
+    Lattice tiling(const scene::Rectangle &rectangle, const Lattice &wanted)
+    {
+      Lattice own{rectangle.corner, wanted.spacing, {1, 1}};
+      for (int k = 0; k < 2; ++k)
+      {
+        own.count[k] =
+            std::max(1, static_cast<int>(std::lround(rectangle.size[k] / wanted.spacing[k])));
+        own.spacing[k] = rectangle.size[k] / own.count[k];
+      }
+      return own;
+    }
+
+    struct Share
+    {
+      Point centre;
+      double fraction;
+    };
+
+    Share inside(const std::vector<scene::Body> &bodies, const Lattice &lattice, const int i,
+                 const int j)
+    {
+      constexpr int samples = 8;
+      const Point centre = lattice.centre(i, j);
+      const double distance = scene::signed_distance(bodies, centre);
+      const double reach = 0.5 * lattice.spacing.norm() * (1. + 1e-9);
+      if (distance > reach || distance < -reach)
+        return {centre, distance > 0. ? 1. : 0.};
+      Point sum = Point::Zero();
+      int count = 0;
+      for (int b = 0; b < samples; ++b)
+        for (int a = 0; a < samples; ++a)
+        {
+          const Point x = centre + Point(lattice.spacing[0] * ((a + 0.5) / samples - 0.5),
+                                         lattice.spacing[1] * ((b + 0.5) / samples - 0.5));
+          if (scene::signed_distance(bodies, x) > 0.)
+            sum += x, ++count;
+        }
+      return {count ? Point(sum / count) : centre, count / double(samples * samples)};
+    }
+
+    void fill(Points &points, const Fraction &fraction, const std::vector<scene::Body> &bodies,
+              const Lattice &lattice, const double density)
+    {
+      constexpr double least = 0.2;
+      std::vector<Share> cut;
+      double kept = 0., dropped = 0.;
+      const scene::Box box = scene::bounding_box(bodies);
+      std::array<int, 2> first, last;
+      for (int k = 0; k < 2; ++k)
+      {
+        const auto index = [&](const double x)
+        { return static_cast<int>(std::floor((x - lattice.lower[k]) / lattice.spacing[k])); };
+        first[k] = std::max(0, index(box.lower[k]) - 1);
+        last[k] = std::min(lattice.count[k] - 1, index(box.upper[k]) + 1);
+      }
+      for (int j = first[1]; j <= last[1]; ++j)
+        for (int i = first[0]; i <= last[0]; ++i)
+        {
+          const Share share = inside(bodies, lattice, i, j);
+          if (share.fraction >= 1.)
+            add_point(points, fraction, share.centre, density * lattice.area());
+          else if (share.fraction >= least)
+            cut.push_back(share), kept += share.fraction;
+          else
+            dropped += share.fraction;
+        }
+      const double scale = kept > 0. ? 1. + dropped / kept : 1.;
+      for (const Share &share : cut)
+        add_point(points, fraction, share.centre,
+                  density * lattice.area() * share.fraction * scale);
+    }
+
+    void tile(Points &points, const Fraction &fraction, const Lattice &lattice,
+              const std::vector<scene::Body> &earlier, const scene::Domain &domain,
+              const double density)
+    {
+      for (int j = 0; j < lattice.count[1]; ++j)
+        for (int i = 0; i < lattice.count[0]; ++i)
+        {
+          const Point x = lattice.centre(i, j);
+          const bool in_domain = (x.array() > domain.lower.array()).all() &&
+                                 (x.array() < domain.upper().array()).all();
+          if (in_domain && (earlier.empty() || scene::signed_distance(earlier, x) < 0.))
+            add_point(points, fraction, x, density * lattice.area());
+        }
+    }
+
+    void check_inside(const scene::Domain &domain, const scene::Body &body)
+    {
+      const scene::Box box = scene::bounding_box({body});
+      for (int k = 0; k < 2; ++k)
+      {
+        const int low =
+            k == 0 ? static_cast<int>(scene::Edge::left) : static_cast<int>(scene::Edge::bottom);
+        const bool low_open = domain.boundary[low] == scene::Boundary::symmetry;
+        const bool high_open = domain.boundary[low + 1] == scene::Boundary::symmetry;
+        const double small = 1e-9 * domain.size[k];
+        if ((!low_open && box.lower[k] < domain.lower[k] - small) ||
+            (!high_open && box.upper[k] > domain.upper()[k] + small))
+          refuse(body.place, "\"" + body.name + "\" reaches out of the domain; enlarge the domain");
+      }
+    }
+
+    // d f/dX_k by central difference.
+    double slope(const scene::Function &f, const Point &X, const int k, const double h)
+    {
+      if (!f.depends_on_position())
+        return 0.;
+      const Point right = X + h * Point::Unit(k), left = X - h * Point::Unit(k);
+      return (f({right, right, 0.}) - f({left, left, 0.})) / (2. * h);
+    }
+
+    // Initial velocity and stress belong to the body that a point is deepest in.
+    void initialise(Points &points, const Fraction &fraction, const std::size_t begin,
+                    const std::vector<scene::Body> &bodies, const double h)
+    {
+      for (const scene::Body &body : bodies)
+      {
+        const scene::Function vx(body.velocity[0]), vy(body.velocity[1]);
+        std::vector<scene::Function> stress;
+        if (body.initial_stress)
+          for (const scene::Expression &component : *body.initial_stress)
+            stress.emplace_back(component);
+        for (std::size_t p = begin; p < points.size(); ++p)
+        {
+          const Point X = fraction.initial(points, p);
+          if (bodies.size() > 1 && scene::signed_distance(body, X) <
+                                       scene::signed_distance(bodies, X) - 1e-12 * (1. + X.norm()))
+            continue;
+          const scene::Argument at{X, X, 0.};
+          points.vx[p] = vx(at), points.vy[p] = vy(at);
+          points.lxx[p] = slope(vx, X, 0, h), points.lxy[p] = slope(vx, X, 1, h);
+          points.lyx[p] = slope(vy, X, 0, h), points.lyy[p] = slope(vy, X, 1, h);
+          if (!stress.empty())
+            points.sxx[p] = stress[0](at), points.syy[p] = stress[1](at),
+            points.szz[p] = stress[2](at), points.sxy[p] = stress[3](at);
+        }
+      }
+    }
+  } // namespace
+
+  Points make_points(const scene::Scene &scene, const Material &material,
+                     const std::array<int, 2> &per_cell)
+  {
+    Points points;
+    const Fraction fraction(scene.domain);
+    const Lattice lattice = lattice_of(scene.domain, per_cell);
+    bool aligned = true;
+    for (const scene::Body &body : scene.bodies)
+      check_inside(scene.domain, body), aligned = aligned && on_lattice(body, lattice);
+    const bool single =
+        scene.bodies.size() == 1 && std::holds_alternative<scene::Rectangle>(scene.bodies[0].shape);
+    if (aligned || single)
+    {
+      std::vector<scene::Body> earlier;
+      for (const scene::Body &body : scene.bodies)
+      {
+        tile(points, fraction, tiling(std::get<scene::Rectangle>(body.shape), lattice), earlier,
+             scene.domain, material.density);
+        earlier.push_back(body);
+      }
+    }
+    else
+      fill(points, fraction, scene.bodies, lattice, material.density);
+    if (points.size() == 0)
+      refuse(scene.bodies.empty() ? Place{} : scene.bodies[0].place,
+             "without a material point: it is smaller than a point's share of a cell; refine "
+             "domain.cells");
+    initialise(points, fraction, 0, scene.bodies, 1e-4 * scene.domain.spacing()[0]);
+    points.active = points.size();
+    return points;
+  }
+} // namespace solid

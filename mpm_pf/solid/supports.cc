@@ -1,0 +1,220 @@
+#include "solid/supports.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace solid
+{
+  namespace
+  {
+    constexpr double extra = 1.; // cells beyond the ends of a line in which material is held
+
+    void place_line(const std::vector<Support> &supports, const Tracers &tracers, HeldLine &line,
+                    const int index, const double t)
+    {
+      if (line.support < 0)
+        return;
+      const Motion &motion = supports[line.support].motion;
+      const int along = 1 - line.axis;
+      const bool known = motion.holds(line.axis);
+      if (known)
+      {
+        double shift = 0.;
+        for (const double s : {0., 0.5, 1.})
+        {
+          Point X;
+          X[line.axis] = line.initial, X[along] = line.from + s * (line.to - line.from);
+          shift += motion.at(X, X, t)[line.axis] / 3.;
+        }
+        line.position = line.initial + shift;
+      }
+      if (!line.follows_tracers)
+      {
+        Point X;
+        X[line.axis] = line.initial, X[along] = line.from;
+        const double shift = motion.at(X, X, t)[along];
+        line.lower = line.from + shift, line.upper = line.to + shift;
+        return;
+      }
+      double sum = 0.;
+      int count = 0;
+      line.lower = std::numeric_limits<double>::max(), line.upper = -line.lower;
+      for (const auto &outline : tracers.outlines)
+        for (const Tracer &tracer : outline)
+          if (tracer.line == index)
+          {
+            line.lower = std::min(line.lower, tracer.x[along]);
+            line.upper = std::max(line.upper, tracer.x[along]);
+            sum += tracer.x[line.axis], ++count;
+          }
+      if (!known && count > 0)
+        line.position = sum / count;
+    }
+
+    // Nodes of `row` along the line, from `reach` cells before it to `reach` cells beyond.
+    template <typename F>
+    void for_nodes_along(const HeldLine &line, const Grid &grid, const int row, const double reach,
+                         F &&f)
+    {
+      const int along = 1 - line.axis;
+      const auto column = [&](const double x) { return (x - grid.lower[along]) * grid.inverse_dx; };
+      // A symmetry side is as long as what is in use.
+      const double lowest = -16., highest = grid.cells[along] + 16.;
+      const int first =
+          static_cast<int>(std::ceil(std::max(lowest, column(line.lower) - reach - 1e-9)));
+      const int last =
+          static_cast<int>(std::floor(std::min(highest, column(line.upper) + reach + 1e-9)));
+      for (int k = first; k <= last; ++k)
+      {
+        const int i = line.axis == 1 ? k : row, j = line.axis == 1 ? row : k;
+        if (grid.has(i, j))
+          f(i, j, grid.at(i, j));
+      }
+    }
+
+    void mark(Supports &supports, Grid &grid, const std::ptrdiff_t n, const int axis,
+              const int line)
+    {
+      auto &pairs = supports.folds.pairs;
+      std::array<int, 2> wanted{-1, -1};
+      if (grid.fold[n] > 0)
+        wanted = pairs[grid.fold[n] - 1];
+      else
+        supports.marked.push_back(n);
+      wanted[axis] = line;
+      const auto found = std::find(pairs.begin(), pairs.end(), wanted);
+      grid.fold[n] = static_cast<std::uint8_t>(found - pairs.begin() + 1);
+      if (found == pairs.end())
+        pairs.push_back(wanted);
+    }
+
+    // Give a node the velocity v in the held components; the momentum that takes is the reaction.
+    void give(Supports &supports, Support *support, Grid &grid, const std::ptrdiff_t n,
+              const std::array<bool, 2> &held, const Point &v, const double dt)
+    {
+      Node &node = grid.nodes[n];
+      Velocity &velocity = grid.velocity[n];
+      Point now{velocity.x, velocity.y}, impulse = Point::Zero();
+      for (int c = 0; c < 2; ++c)
+        if (held[c])
+        {
+          impulse[c] = node.mass() * (v[c] - now[c]);
+          now[c] = v[c];
+          if (!grid.change.empty())
+            (c == 0 ? grid.change[n].x : grid.change[n].y) =
+                v[c] - (node.mass() > 0. ? node.momentum()[c] / node.mass() : v[c]);
+          node.lanes[1 + c] = node.mass() * v[c];
+        }
+      velocity = {now[0], now[1]};
+      if (!support)
+        return;
+      support->impulse += impulse, support->call_impulse += impulse;
+      supports.work += impulse.dot(v), supports.work_done += std::abs(impulse.dot(v));
+      supports.speed = std::max(supports.speed, v.norm());
+      (void)dt;
+    }
+
+    // Where the material now at x came from, were it moved by the support alone.
+    Point origin(const Motion &motion, const Point &x, const double t)
+    {
+      Point X = x;
+      for (int k = 0; k < 3 && !motion.uniform; ++k)
+        X = x - motion.at(X, x, t);
+      return X;
+    }
+
+    void hold_line(Supports &supports, const HeldLine &line, const Fold &fold, Grid &grid,
+                   const double t, const double dt)
+    {
+      Support *const support = line.support < 0 ? nullptr : &supports.all[line.support];
+      const bool uniform = !support || support->motion.uniform;
+      Point v = Point::Zero();
+      if (support && uniform)
+        v = (support->motion.at(v, v, t + dt) - support->motion.at(v, v, t)) / dt;
+      for_nodes_along(line, grid, fold.carrier(), extra + 1.,
+                      [&](const int i, const int j, const std::ptrdiff_t n)
+                      {
+                        if (!uniform)
+                        {
+                          Point x{grid.node_x(i), grid.node_y(j)};
+                          x[line.axis] = line.position;
+                          const Point X = origin(support->motion, x, t);
+                          v = (support->motion.at(X, x, t + dt) - support->motion.at(X, x, t)) / dt;
+                        }
+                        give(supports, support, grid, n, line.held, v, dt);
+                      });
+    }
+  } // namespace
+
+  Point Motion::at(const Point &X, const Point &x, const double t) const
+  {
+    Point u = Point::Zero();
+    for (int c = 0; c < 2; ++c)
+      if (displacement[c])
+        u[c] = (*displacement[c])({X, x, t});
+    return u;
+  }
+
+  void place(Supports &supports, const Tracers &tracers, Grid &grid, const double t)
+  {
+    for (const std::ptrdiff_t n : supports.marked)
+      if (n < static_cast<std::ptrdiff_t>(grid.fold.size()))
+        grid.fold[n] = 0;
+    supports.marked.clear(), supports.folds.pairs.clear(), supports.folds.lines.clear();
+    for (std::size_t l = 0; l < supports.lines.size(); ++l)
+    {
+      HeldLine &line = supports.lines[l];
+      place_line(supports.all, tracers, line, static_cast<int>(l), t);
+      const Fold fold = fold_at(line.position, line.side, grid.lower[line.axis], grid.dx);
+      supports.folds.lines.push_back(fold);
+      for (const int row : {fold.carrier(), fold.master})
+        for_nodes_along(line, grid, row, extra,
+                        [&](int, int, const std::ptrdiff_t n)
+                        { mark(supports, grid, n, line.axis, static_cast<int>(l)); });
+    }
+  }
+
+  void hold(Supports &supports, const Scheme &scheme, const Points &points,
+            const Fraction &fraction, Grid &grid, const double t, const double dt)
+  {
+    supports.speed = 0.;
+    for (std::size_t l = 0; l < supports.lines.size(); ++l)
+      hold_line(supports, supports.lines[l], supports.folds.lines[l], grid, t, dt);
+    for (DrivenRegion &region : supports.driven)
+    {
+      Support &support = supports.all[region.support];
+      project(region, support.motion, scheme, supports.folds, points, fraction, grid, t, dt);
+      const std::array<bool, 2> held{support.motion.holds(0), support.motion.holds(1)};
+      for (std::size_t n = 0; n < region.sums.size(); ++n)
+        if (const auto &[mass, px, py] = region.sums[n]; mass > 0.5 * grid.nodes[n].mass())
+          give(supports, &support, grid, static_cast<std::ptrdiff_t>(n), held,
+               {px / mass, py / mass}, dt);
+    }
+  }
+
+  void carry(Supports &supports, Points &points, Tracers &tracers, const Fraction &fraction,
+             const double t, const double dt)
+  {
+    for (Support &support : supports.all)
+      support.displacement = support.motion.at(support.middle, support.middle, t + dt);
+    for (std::size_t g = 0; g < supports.grips.size(); ++g)
+    {
+      const Support &support = supports.all[supports.grips[g].support];
+      const Point u = support.displacement;
+      const Point v = (u - support.motion.at(support.middle, support.middle, t)) / dt;
+      for (std::size_t p = points.active; p < points.size(); ++p)
+        if (points.regions[p] & (1u << supports.grips[g].region))
+        {
+          const Point X = fraction.initial(points, p);
+          points.x[p] = X[0] + u[0], points.y[p] = X[1] + u[1];
+          points.vx[p] = v[0], points.vy[p] = v[1];
+        }
+      for (auto &outline : tracers.outlines)
+        for (Tracer &tracer : outline)
+          if (tracer.grip == static_cast<int>(g))
+            tracer.x = tracer.X + u;
+    }
+    for (const DrivenRegion &region : supports.driven)
+      carry_driven(region, supports.all[region.support].motion, points, fraction, t, dt);
+  }
+} // namespace solid

@@ -1,0 +1,111 @@
+// What holds the material: lines, rigid grips, driven regions, symmetry sides; and their reactions.
+//
+// An edge, a segment, a symmetry side of the domain and the sides of a grip are all *held lines*:
+// straight, parallel to an axis, with material on one side. Shape functions are folded there
+// (shape_functions.h), so the row of nodes next to the line, its carriers, has the line's own
+// velocity. Each component may be held or free; where the normal one is free the line follows its
+// tracers. A region whose whole displacement is given and uniform is a rigid grip: its points leave
+// the equations and ride along, its sides towards other material are held lines that move through
+// the cells with the grip, so that the gauge length is exact. Any other region is *driven*: the
+// displacement increments of its points are projected on the nodes with their masses and gradients,
+// which is exact for affine motions, and the nodes most of whose mass is driven take them.
+//
+// Every prescribed velocity is an increment of displacement over dt, so prescribed positions never
+// drift. The reaction is the momentum which the nodes are given beyond Eq. (4), over dt.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "scene/expression.h"
+#include "solid/tracers.h"
+
+namespace solid
+{
+  /// Prescribed displacement; an empty component is free.
+  struct Motion
+  {
+    std::array<std::optional<scene::Function>, 2> displacement;
+    bool uniform = true; // depends on time only
+
+    bool holds(const int component) const { return displacement[component].has_value(); }
+    /// Free components are 0.
+    Point at(const Point &X, const Point &x, double t) const;
+  };
+
+  struct Support
+  {
+    std::string name;
+    scene::Place place;
+    Motion motion;
+    Point middle = Point::Zero();       // of what it holds, initially
+    std::vector<Point> corners;         // of what it holds, initially
+    Point impulse = Point::Zero();      // since the start
+    Point call_impulse = Point::Zero(); // of this call of advance
+    Point displacement = Point::Zero();
+  };
+
+  struct HeldLine
+  {
+    int support = -1;                        // -1: a symmetry side
+    int axis = 1;                            // 0: x = position, 1: y = position
+    int side = 1;                            // +1: material at larger coordinates
+    double initial = 0., from = 0., to = 0.; // position and extent at the start
+    std::array<bool, 2> held{true, true};
+    bool follows_tracers = false;                 // an edge: its extent is that of its tracers
+    double position = 0., lower = 0., upper = 0.; // position and extent now
+  };
+
+  struct Grip
+  {
+    int support = 0;
+    scene::Box box;
+    int region = 0; // bit of its points
+  };
+
+  /// Points whose bit `region` is set are driven.
+  struct DrivenRegion
+  {
+    int support = 0;
+    int region = 0;
+    std::vector<std::array<double, 3>> sums; // mass and momentum by node, of driven points
+    std::vector<Point> increment; // of displacement over the step, by order of the points
+  };
+
+  struct Supports
+  {
+    std::vector<Support> all;
+    std::vector<HeldLine> lines;
+    std::vector<Grip> grips;
+    std::vector<DrivenRegion> driven;
+    FoldTable folds;
+    std::vector<std::ptrdiff_t> marked; // nodes whose fold is set
+    double speed = 0.;                  // largest prescribed in the last step
+    double work = 0., work_done = 0.;   // by supports since the start; sum of absolute values
+  };
+
+  /// Everything of the scene that holds; points get their region bits, those in rigid grips are
+  /// moved behind `active`, and the tracers are marked. Throws scene::BadScene for a support that
+  /// touches nothing, lies across a slanted outline, or bends its edge by more than a quarter of a
+  /// cell.
+  Supports make_supports(const scene::Scene &, Points &, Tracers &);
+
+  /// Lines to where they are at time t, and the folds into the grid.
+  void place(Supports &, const Tracers &, Grid &, double t);
+
+  /// Node velocities after forces to what supports ask for over [t, t + dt]; reactions.
+  void hold(Supports &, const Scheme &, const Points &, const Fraction &, Grid &, double t,
+            double dt);
+
+  /// Points and tracers with prescribed positions to time t + dt.
+  void carry(Supports &, Points &, Tracers &, const Fraction &, double t, double dt);
+
+  /// Driven points' displacement increments on the nodes, and their exact positions afterwards.
+  void project(DrivenRegion &, const Motion &, const Scheme &, const FoldTable &, const Points &,
+               const Fraction &, const Grid &, double t, double dt);
+  void carry_driven(const DrivenRegion &, const Motion &, Points &, const Fraction &, double t,
+                    double dt);
+
+  /// Largest speed that any support ever asks for up to `end`, by samples.
+  double largest_prescribed_speed(const Supports &, double end);
+} // namespace solid

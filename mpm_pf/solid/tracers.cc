@@ -1,0 +1,65 @@
+#include "solid/tracers.h"
+
+#include "scene/geometry.h"
+
+namespace solid
+{
+  Tracers make_tracers(const std::vector<scene::Body> &bodies, const double spacing)
+  {
+    Tracers tracers;
+    for (const scene::Polyline &line : scene::outline(bodies, spacing))
+    {
+      tracers.outlines.emplace_back();
+      for (const Point &X : line)
+        tracers.outlines.back().push_back({X, X, -1, -1, 0});
+    }
+    return tracers;
+  }
+
+  Point transferred_velocity(const Scheme &scheme, const Grid &grid, const FoldTable &table,
+                             const Point &x)
+  {
+    const int i = grid.nearest(x[0], 0), j = grid.nearest(x[1], 1);
+    if (!grid.has(i - 1, j - 1) || !grid.has(i + 1, j + 1) || !grid.has(i - 1, j + 1) ||
+        !grid.has(i + 1, j - 1) || !grid.has(i, j))
+      return Point::Zero();
+    const Stencil s = stencil(scheme, grid, table, x);
+    Point sum = Point::Zero();
+    double weight = 0.;
+    for (int b = 0; b < 3; ++b)
+      for (int a = 0; a < 3; ++a)
+      {
+        const Node &node = grid.nodes[grid.at(s.i - 1 + a, s.j - 1 + b)];
+        if (node.mass() <= 0.)
+          continue;
+        const double w = s.x.w[a] * s.y.w[b];
+        sum += w / node.mass() * node.momentum();
+        weight += w;
+      }
+    return weight > 1e-9 ? Point(sum / weight) : Point(0., 0.);
+  }
+
+  void move(Tracers &tracers, const Scheme &scheme, const Grid &grid, const FoldTable &table,
+            const double dt)
+  {
+    for (auto &outline : tracers.outlines)
+      for (Tracer &tracer : outline)
+        if (tracer.grip < 0)
+          tracer.x += dt * transferred_velocity(scheme, grid, table, tracer.x);
+  }
+
+  void refine(Tracers &tracers, const double longest)
+  {
+    for (auto &outline : tracers.outlines)
+      for (std::size_t k = 0; k < outline.size(); ++k)
+      {
+        const Tracer &a = outline[k], &b = outline[(k + 1) % outline.size()];
+        if ((b.x - a.x).squaredNorm() <= longest * longest)
+          continue;
+        const auto [X, x] = on_chord(outline, k, 0.5);
+        const Tracer middle{X, x, a.line == b.line ? a.line : -1, a.grip == b.grip ? a.grip : -1,
+                            a.loads};
+        outline.insert(outline.begin() + static_cast<std::ptrdiff_t>(k) + 1, middle);
+      }
+  }
+} // namespace solid

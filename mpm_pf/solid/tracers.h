@@ -1,0 +1,44 @@
+// Massless points on the first outline: where the surface of the material is.
+//
+// They are carried by the transferred nodal velocity before forces, p_i/m_i, which extends a linear
+// field of the points beyond them; the velocity after forces is of no use there, since the lightest
+// nodes take the largest accelerations. Chords longer than a cell are halved. They mark the held
+// and loaded parts of the outline, too.
+#pragma once
+
+#include "solid/transfer.h"
+
+namespace solid
+{
+  struct Tracer
+  {
+    Point X, x;
+    int line = -1;           // held line on which it sits
+    int grip = -1;           // rigid grip with which it moves
+    std::uint32_t loads = 0; // bit k: the chord to the next tracer carries load k
+  };
+
+  struct Tracers
+  {
+    std::vector<std::vector<Tracer>> outlines; // closed
+  };
+
+  Tracers make_tracers(const std::vector<scene::Body> &, double spacing);
+
+  /// Interpolated transferred velocity at x; nodes without mass are left out. Zero far from
+  /// material.
+  Point transferred_velocity(const Scheme &, const Grid &, const FoldTable &, const Point &x);
+
+  /// Carry the free tracers by dt.
+  void move(Tracers &, const Scheme &, const Grid &, const FoldTable &, double dt);
+  /// Halve chords longer than `longest`.
+  void refine(Tracers &, double longest);
+
+  /// Initial and current position interpolated along the chord from tracer k, 0 <= s <= 1.
+  inline std::array<Point, 2> on_chord(const std::vector<Tracer> &outline, const std::size_t k,
+                                       const double s)
+  {
+    const Tracer &a = outline[k], &b = outline[(k + 1) % outline.size()];
+    return {Point((1. - s) * a.X + s * b.X), Point((1. - s) * a.x + s * b.x)};
+  }
+} // namespace solid

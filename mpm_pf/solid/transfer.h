@@ -1,0 +1,80 @@
+// Between points and nodes, one pass each way a step.
+//
+// Points to nodes: m_i = sum w m,  p_i = sum w m (v_p + C_p (x_i - x_p)),  f_i = sum (w m b - V
+// sigma grad w). Nodes to points, the default TPIC: v_p = sum w v_i, C_p = sum v_i grad w: both
+// momenta are kept, a linear field passes unchanged, and no velocity that the grid cannot see
+// survives (FLIP keeps it: its noise tears a plastic bar on fine grids). Also
+//   APIC   C_p = (sum w v_i d) / (sum w d^2) a direction (Jiang et al. 2015)
+//   FLIP   v_p = f (v_p + sum w dv_i) + (1 - f) sum w v_i, C_p = 0;  PIC is f = 0
+//   XPIC2  v_p = 2 S v* - S S+ S v* + S dv, v* = S+ v_p the transferred velocity before forces
+//          (Hammerquist & Nairn 2017, order 2)
+// The velocity gradient of the new grid velocity goes to the stress update in every scheme (USL).
+#pragma once
+
+#include "solid/grid.h"
+#include "solid/shape_functions.h"
+
+namespace solid
+{
+  using Transfer = scene::Transfer;
+
+  /// Everything about the method that does not change during a run.
+  struct Scheme
+  {
+    Shape shape = Shape::quadratic_bspline;
+    Transfer transfer = Transfer::tpic;
+    double flip_fraction = 0.99;
+    std::array<double, 2> half_size{0.25, 0.25}; // of a point in cells, for uGIMP
+    bool anti_locking = false;
+    double pressure_relaxation = 0.1;
+    double step_fraction = 0.4;
+
+    bool affine() const { return transfer == Transfer::tpic || transfer == Transfer::apic; }
+    bool incremental() const { return transfer == Transfer::flip || transfer == Transfer::xpic2; }
+  };
+
+  /// The lines near which shape functions are folded; grid.fold is 1 + index into `pairs`.
+  struct FoldTable
+  {
+    std::vector<Fold> lines;
+    std::vector<std::array<int, 2>> pairs; // line across x, line across y; -1: none
+  };
+
+  /// Weights of a point in both directions and the column and row of its centre node.
+  struct Stencil
+  {
+    Weights x, y;
+    int i, j;
+  };
+  /// For anything that lies near material: points, tracers, loads. Folded where the grid says so.
+  Stencil stencil(const Scheme &, const Grid &, const FoldTable &, const Point &);
+
+  /// Acceleration by body forces: uniform, or one value a point.
+  struct Acceleration
+  {
+    Point uniform = Point::Zero();
+    Array<double> x, y; // empty: uniform
+  };
+
+  /// Add mass, momentum and force of points [begin, end) to their nodes.
+  void scatter(const Scheme &, const FoldTable &, const Points &, const Acceleration &,
+               double inverse_density, Grid &, std::size_t begin, std::size_t end);
+
+  /// Where the velocities of flip and xpic differ from the one that moves the points.
+  struct Moving
+  {
+    Array<double> vx, vy; // empty: points move with their own velocity
+  };
+
+  /// Velocity and velocity gradient of points [begin, end) from the nodes.
+  void gather(const Scheme &, const FoldTable &, const Grid &, Points &, Moving &,
+              std::size_t begin, std::size_t end);
+
+  /// APIC's affine part in place of the velocity gradient, once the stress update is done with it.
+  void gather_affine(const Scheme &, const FoldTable &, const Grid &, Points &, std::size_t begin,
+                     std::size_t end);
+
+  /// XPIC(2): v_p = 2 S v* - S S+ S v* for all points, before the change by forces is added.
+  /// Serial.
+  void smooth_velocity(const Scheme &, const FoldTable &, const Grid &, Points &);
+} // namespace solid
