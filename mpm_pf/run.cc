@@ -4,6 +4,8 @@
 #include <iostream>
 #include <optional>
 
+#include <omp.h>
+
 #include "accounts.h"
 #include "medium/trouble.h"
 #include "plan.h"
@@ -58,6 +60,7 @@ int run(const scene::Scene &scene, const record::CommandLine &command,
 {
   const double begin_wall = record::wall_seconds();
   std::cerr << banner(scene);
+  omp_set_num_threads(command.threads);
   World world = build_world(scene, command.threads, command.force);
 
   std::filesystem::create_directories(command.output);
