@@ -1,0 +1,67 @@
+"""The rule checks can fail: each is shown an offender of its kind."""
+
+import sys
+import unittest
+from pathlib import Path
+from unittest import mock
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+import check_headers
+import check_includes
+import check_paths
+import check_sizes
+import tree
+
+
+def offenders(check, path, text):
+    with mock.patch.object(tree, "read", return_value=text):
+        return list(check.offenders_in(Path(path)))
+
+
+class Includes(unittest.TestCase):
+    def test_solid_and_melt_have_no_door(self):
+        self.assertTrue(offenders(check_includes, "mpm_pf/solid/a.cc", '#include "melt/growth.h"\n'))
+        self.assertTrue(offenders(check_includes, "mpm_pf/melt/a.cc", '#include "solid/points.h"\n'))
+        self.assertFalse(offenders(check_includes, "mpm_pf/solid/a.cc", '#include "medium/mesh.h"\n'))
+
+    def test_the_reference_shares_no_physics(self):
+        self.assertTrue(offenders(check_includes, "fe_reference/a.cc", '#include "solid/elastic.h"\n'))
+        self.assertFalse(offenders(check_includes, "fe_reference/a.cc", "#include <deal.II/base/point.h>\n"))
+        self.assertTrue(offenders(check_includes, "mpm_pf/world.cc", "#include <deal.II/base/point.h>\n"))
+
+
+class Sizes(unittest.TestCase):
+    def test_long_function_in_a_namespace(self):
+        body = "\n".join("    a += 1;" for _ in range(70))
+        source = "namespace n\n{\n  void f(const int a)\n  {\n" + body + "\n  }\n}\n"
+        found = offenders(check_sizes, "a.cc", source)
+        self.assertEqual(len(found), 1)
+        self.assertIn("f has 72 lines", found[0])
+
+    def test_many_short_functions_are_no_long_one(self):
+        source = "namespace n\n{\n" + "  void f() {\n    g();\n  }\n" * 40 + "}\n"
+        self.assertFalse(offenders(check_sizes, "a.cc", source))
+
+    def test_long_files_and_python_functions(self):
+        self.assertTrue(offenders(check_sizes, "a.cc", "\n" * 301))
+        self.assertTrue(offenders(check_sizes, "a.py", "def f():\n" + "    pass\n" * 61))
+
+    def test_braces_in_text_do_not_count(self):
+        source = 'void f()\n{\n  g("{", \'{\'); // {\n}\nvoid h()\n{\n' + "  g();\n" * 70 + "}\n"
+        found = offenders(check_sizes, "a.cc", source)
+        self.assertEqual(len(found), 1)
+        self.assertIn("h has 72 lines", found[0])
+
+
+class PathsAndHeaders(unittest.TestCase):
+    def test_paths_of_one_machine(self):
+        self.assertTrue(offenders(check_paths, "a.md", "see /ho" + "me/somebody/data"))
+        self.assertFalse(offenders(check_paths, "a.md", "see /usr/bin/python3"))
+
+    def test_headers_open_with_words(self):
+        self.assertTrue(offenders(check_headers, "a.h", "#pragma once\n"))
+        self.assertFalse(offenders(check_headers, "a.h", "// What this file is about.\n#pragma once\n"))
+
+
+if __name__ == "__main__":
+    unittest.main()
