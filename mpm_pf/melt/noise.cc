@@ -153,7 +153,7 @@ namespace melt
       {
         const float right = axis[0].sign[i + 1] * x[static_cast<std::size_t>(axis[0].face[i + 1])];
         const float left = axis[0].sign[i] * x[static_cast<std::size_t>(axis[0].face[i])];
-        row[i] -= wide * Real(right - left) + along_y * Real(above[i] - below[i]);
+        row[i] -= wide * (Real(right) - Real(left)) + along_y * (Real(above[i]) - Real(below[i]));
       }
       std::swap(below, above);
     }

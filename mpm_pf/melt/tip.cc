@@ -34,8 +34,8 @@ namespace melt
                             double width)
     {
       const Point cell = (x - mesh.lower).cwiseQuotient(mesh.spacing);
-      const int i = std::clamp(static_cast<int>(std::floor(cell[0])), 0, mesh.nodes[0] - 2);
-      const int j = std::clamp(static_cast<int>(std::floor(cell[1])), 0, mesh.nodes[1] - 2);
+      const int i = static_cast<int>(std::floor(cell[0]));
+      const int j = static_cast<int>(std::floor(cell[1]));
       const auto wx = cubic_weights(cell[0] - i), wy = cubic_weights(cell[1] - j);
       double value = 0.;
       for (int b = 0; b < 4; ++b)
@@ -63,53 +63,58 @@ namespace melt
       return length;
     }
 
-    /// Cubic polynomial of two variables: the ten terms at (s, t).
-    Eigen::Matrix<double, 1, 10> cubic_terms(double s, double t)
+    /// Where psi changes from positive at `inside` to negative at `outside` along the ray.
+    template <class Psi>
+    double bisect(const Psi &psi, double inside, double outside)
     {
-      Eigen::Matrix<double, 1, 10> row;
-      row << 1., s, t, s * s, s * t, t * t, s * s * s, s * s * t, s * t * t, t * t * t;
-      return row;
+      for (int step = 0; step < 48; ++step)
+      {
+        const double middle = 0.5 * (inside + outside);
+        (psi(middle) > 0. ? inside : outside) = middle;
+      }
+      return 0.5 * (inside + outside);
     }
 
-    void fit_radius(Tip &tip, const Field<double> &phi, const Mesh &mesh, const Point &at,
-                    double width)
+    /// Outermost crossing at or inside of `start` along the ray, not deeper than `end`.
+    template <class Psi>
+    std::optional<double> crossing_inwards(const Psi &psi, double start, double end, double stride)
     {
-      const double spacing = mesh.spacing.maxCoeff();
-      tip.window = std::max(2.5 * spacing, width);
-      const Point cell = (at - mesh.lower).cwiseQuotient(mesh.spacing);
-      const int reach_x = static_cast<int>(tip.window / mesh.spacing[0]) + 1;
-      const int reach_y = static_cast<int>(tip.window / mesh.spacing[1]) + 1;
-      const int i0 = static_cast<int>(std::lround(cell[0]));
-      const int j0 = static_cast<int>(std::lround(cell[1]));
-      std::vector<Point> place;
-      std::vector<double> psi;
-      for (int j = j0 - reach_y; j <= j0 + reach_y; ++j)
-        for (int i = i0 - reach_x; i <= i0 + reach_x; ++i)
-          if (const Point x = mesh.position(i, j) - at; x.norm() <= tip.window)
-          {
-            place.push_back(x / tip.window);
-            psi.push_back(psi_at(phi, mesh, i, j, width));
-          }
-      const auto count = static_cast<Eigen::Index>(psi.size());
-      tip.nodes = static_cast<int>(count);
-      tip.radius = std::numeric_limits<double>::quiet_NaN();
-      if (count < 12)
-        return;
-      Eigen::MatrixXd terms(count, 10);
-      Eigen::VectorXd values(count);
-      for (Eigen::Index k = 0; k < count; ++k)
+      double outside = start, inside = start;
+      while (inside > end && psi(inside) <= 0.)
       {
-        const auto n = static_cast<std::size_t>(k);
-        terms.row(k) = cubic_terms(place[n][0], place[n][1]);
-        values[k] = psi[n];
+        outside = inside;
+        inside = std::max(end, inside - stride);
       }
-      const Eigen::VectorXd c = terms.colPivHouseholderQr().solve(values);
-      tip.residual = (terms * c - values).norm() / std::sqrt(static_cast<double>(count));
-      const double gx = c[1], gy = c[2], xx = 2. * c[3], xy = c[4], yy = 2. * c[5];
-      const double size = std::hypot(gx, gy);
-      const double curvature =
-          -(xx * gy * gy - 2. * xy * gx * gy + yy * gx * gx) / (size * size * size) / tip.window;
-      tip.radius = 1. / curvature;
+      if (inside == start || psi(inside) <= 0.)
+        return std::nullopt;
+      return bisect(psi, inside, outside);
+    }
+
+    struct Crossing
+    {
+      double aside, along; // of the tip, length
+    };
+
+    /// Radius of x = a + b t + c t^2 + d t^3 + e t^4 at t = 0, and the fit's residual.
+    void fit_radius(Tip &tip, const std::vector<Crossing> &front)
+    {
+      tip.crossings = static_cast<int>(front.size());
+      tip.radius = std::numeric_limits<double>::quiet_NaN();
+      if (tip.crossings < 7)
+        return;
+      Eigen::MatrixXd terms(tip.crossings, 5);
+      Eigen::VectorXd along(tip.crossings);
+      for (int k = 0; k < tip.crossings; ++k)
+      {
+        const Crossing &point = front[static_cast<std::size_t>(k)];
+        const double t = point.aside / tip.window;
+        terms.row(k) << 1., t, t * t, t * t * t, t * t * t * t;
+        along[k] = point.along;
+      }
+      const Eigen::VectorXd c = terms.colPivHouseholderQr().solve(along);
+      tip.residual = (terms * c - along).norm() / std::sqrt(static_cast<double>(tip.crossings));
+      const double slope = c[1] / tip.window, bend = 2. * c[2] / (tip.window * tip.window);
+      tip.radius = -std::pow(1. + slope * slope, 1.5) / bend;
     }
   } // namespace
 
@@ -123,22 +128,25 @@ namespace melt
     const auto psi = [&](double s)
     { return interpolated_psi(phi, mesh, ray.origin + s * unit, width); };
     const double stride = 0.5 * mesh.spacing.minCoeff();
-    double outside = end, inside = end;
-    while (inside > 0. && psi(inside) <= 0.)
-    {
-      outside = inside;
-      inside = std::max(0., inside - stride);
-    }
-    if (inside == end || psi(inside) <= 0.)
+    const auto position = crossing_inwards(psi, end, 0., stride);
+    if (!position)
       return std::nullopt;
-    for (int step = 0; step < 60 && outside - inside > 1e-14 * end; ++step)
-    {
-      const double middle = 0.5 * (inside + outside);
-      (psi(middle) > 0. ? inside : outside) = middle;
-    }
     Tip tip;
-    tip.position = 0.5 * (inside + outside);
-    fit_radius(tip, phi, mesh, ray.origin + tip.position * unit, width);
+    tip.position = *position;
+    tip.window = std::max(2. * mesh.spacing.maxCoeff(), 0.75 * width);
+    const int each_side = static_cast<int>(std::lround(tip.window / stride));
+    const Point aside(-unit[1], unit[0]);
+    std::vector<Crossing> front;
+    for (int k = -each_side; k <= each_side; ++k)
+    {
+      const double t = k * tip.window / each_side;
+      const auto beside = [&](double s)
+      { return interpolated_psi(phi, mesh, ray.origin + s * unit + t * aside, width); };
+      if (const auto s = crossing_inwards(beside, tip.position + tip.window,
+                                          tip.position - 4. * tip.window, stride))
+        front.push_back({t, *s - tip.position});
+    }
+    fit_radius(tip, front);
     return tip;
   }
 

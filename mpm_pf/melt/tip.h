@@ -3,8 +3,9 @@
 // All from psi = sqrt(2) W0 atanh phi, which runs straight across the interface: interpolating phi
 // itself would move the tip to and fro within a cell and spoil its curvature.
 //   position  the outermost crossing from solid to liquid, on a bicubic through 4 x 4 nodes
-//   radius    1/curvature of the level set of a cubic polynomial fitted to psi by least squares at
-//             all nodes within a window of the tip; mirror images count at symmetry walls
+//   radius    of curvature of a fourth-order polynomial fitted by least squares to the crossings on
+//             parallels of the ray within a window on both sides of the tip (a parabola is met
+//             exactly); beyond a symmetry wall the mirror image counts
 //   velocity  least-squares slope of position over time across a window of travel of some cells,
 //             because the tip sticks a little at every node it passes
 #pragma once
@@ -29,10 +30,10 @@ namespace melt
   struct Tip
   {
     double position = 0.; // distance from the ray's origin, length
-    double radius = 0.;   // length; NaN if fewer nodes than the fit needs lie in the window
-    double residual = 0.; // of the fit, root mean square of psi, length
-    double window = 0.;   // radius of the fit's window, length
-    int nodes = 0;        // in it
+    double radius = 0.;   // length; NaN if too few parallels meet the front; negative if concave
+    double residual = 0.; // of the fit, root mean square along the ray, length
+    double window = 0.;   // of the fit: parallels up to this distance on both sides, length
+    int crossings = 0;    // fitted
   };
 
   /// The tip on a ray, or nothing if the ray meets no solid or is solid up to the border. `width`:

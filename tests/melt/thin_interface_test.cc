@@ -1,0 +1,99 @@
+#include "melt/thin_interface.h"
+
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "melt/anisotropy.h"
+#include "scene/reader.h"
+
+namespace
+{
+  struct Sections
+  {
+    scene::PhaseField phase;
+    scene::Growth growth;
+    scene::Heat heat;
+    Sections()
+    {
+      phase.width = 1.;
+      growth.capillary_length = 0.185;
+      growth.relaxation_time = 1.;
+      heat.diffusivity = 3.;
+    }
+  };
+} // namespace
+
+TEST(ThinInterface, CouplesByThePapersNumbers)
+{
+  const Sections s;
+  const melt::Law law = melt::make_law(s.phase, s.growth, &s.heat);
+  EXPECT_NEAR(law.coupling, 4.778, 5e-4);            // a1/0.185
+  EXPECT_NEAR(melt::a2 * law.coupling, 2.994, 1e-3); // D tau0/W0^2 = 3 within 0.2 %
+}
+
+TEST(ThinInterface, RefusesAnInconsistentRelaxationTimeNamingTheRightOne)
+{
+  Sections s;
+  s.heat.diffusivity = 4.; // needs tau0 = a2 lambda/4 = 0.7486
+  try
+  {
+    melt::make_law(s.phase, s.growth, &s.heat);
+    FAIL();
+  }
+  catch (const scene::BadScene &error)
+  {
+    EXPECT_NE(std::string(error.what()).find("0.748"), std::string::npos) << error.what();
+  }
+  s.growth.relaxation_time = 0.7486;
+  EXPECT_NO_THROW(melt::make_law(s.phase, s.growth, &s.heat));
+}
+
+TEST(ThinInterface, AcceptsAStatedKineticCoefficient)
+{
+  Sections s;
+  s.growth.relaxation_time = 2.;
+  EXPECT_THROW(melt::make_law(s.phase, s.growth, &s.heat), scene::BadScene);
+  // beta = a1 (tau0/(lambda W0) - a2 W0/D)
+  s.growth.kinetic_coefficient = melt::a1 * (2. * 0.185 / melt::a1 - melt::a2 / 3.);
+  EXPECT_NO_THROW(melt::make_law(s.phase, s.growth, &s.heat));
+}
+
+TEST(ThinInterface, RefusesIllPosedAnisotropy)
+{
+  Sections s;
+  s.growth.anisotropy = 1. / 15.;
+  EXPECT_THROW(melt::make_law(s.phase, s.growth, &s.heat), scene::BadScene);
+  s.growth.anisotropy = -0.01;
+  EXPECT_THROW(melt::make_law(s.phase, s.growth, &s.heat), scene::BadScene);
+  s.growth.anisotropy = 0.0666;
+  EXPECT_NO_THROW(melt::make_law(s.phase, s.growth, &s.heat));
+}
+
+// xi = 1 + eps cos 4(angle - crystal), flux (xi^2 - 1) n - xi xi' t, against the trigonometry.
+TEST(Anisotropy, PolynomialsAgreeWithTrigonometry)
+{
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> number(-1., 1.);
+  constexpr double eps = 0.05;
+  for (int sample = 0; sample < 1000; ++sample)
+  {
+    const double n = number(random), t = number(random), crystal = 3. * number(random);
+    const double angle = 4. * (std::atan2(t, n) - crystal);
+    const double xi = 1. + eps * std::cos(angle), slope = -4. * eps * std::sin(angle);
+    const double c = std::cos(4. * crystal), s = std::sin(4. * crystal);
+    EXPECT_NEAR(melt::anisotropic_flux(n, t, c, s, eps), (xi * xi - 1.) * n - xi * slope * t,
+                1e-14);
+    EXPECT_NEAR(melt::inverse_relaxation(n, t, c, s, eps), 1. / (xi * xi), 1e-14);
+  }
+}
+
+TEST(Anisotropy, HasNoDirectionWhereNothingPoints)
+{
+  EXPECT_EQ(melt::anisotropic_flux(0., 0., 1., 0., 0.05), 0.);
+  EXPECT_EQ(melt::inverse_relaxation(0., 0., 1., 0., 0.05), 1.);
+  EXPECT_EQ(melt::anisotropic_flux(0.f, 0.f, 1.f, 0.f, 0.05f), 0.f);
+  EXPECT_EQ(melt::inverse_relaxation(1e-8f, 1e-8f, 1.f, 0.f, 0.05f), 1.f);
+  EXPECT_NEAR(melt::inverse_relaxation(0.1f, 0.f, 1.f, 0.f, 0.05f), 1.f / (1.05f * 1.05f), 1e-6f);
+}
