@@ -1,0 +1,204 @@
+#include "medium/walls.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+
+#include "medium/crossing.h"
+#include "medium/trouble.h"
+
+namespace medium
+{
+  namespace
+  {
+    std::string where(const scene::Wall &wall)
+    {
+      return wall.place.file.empty()
+                 ? std::string{}
+                 : wall.place.file + ":" + std::to_string(wall.place.line) + ": ";
+    }
+
+    /// Inward travel a time `t` after the start, without its limit.
+    double free_travel(const scene::Wall &wall, double t)
+    {
+      if (t <= 0.)
+        return 0.;
+      if (t >= wall.ramp)
+        return wall.speed * (t - 0.5 * wall.ramp);
+      const double s = t / wall.ramp;
+      return wall.speed * wall.ramp * s * s * s * (1. - 0.5 * s);
+    }
+
+    double travel_at(const Wall &wall, double time)
+    {
+      const double free = wall.started ? free_travel(wall.asked, time - *wall.started) : 0.;
+      return std::min(free, wall.asked.travel);
+    }
+
+    /// From a wall to the opposite one, or to the opposite side of the domain.
+    double span(const Wall &wall, const Walls &walls, const Mesh &mesh)
+    {
+      const int axis = wall.axis();
+      double opposite =
+          mesh.lower[axis] + (wall.inward() > 0 ? (mesh.nodes[axis] - 1) * mesh.spacing[axis] : 0.);
+      for (const Wall &other : walls.walls)
+        if (other.axis() == axis && other.side != wall.side)
+          opposite = other.position;
+      return std::abs(opposite - wall.position);
+    }
+
+    void check(const scene::Wall &asked, const Walls &walls, const Mesh &mesh)
+    {
+      if (walls.at(asked.side))
+        throw std::invalid_argument(where(asked) +
+                                    "wall.side: a second wall on the same side; give "
+                                    "each side one wall at most");
+      const Boundary boundary = mesh.side(asked.side);
+      if (boundary == Boundary::periodic || boundary == Boundary::fixed)
+        throw std::invalid_argument(where(asked) +
+                                    "wall.side: a wall can only stand on a no_flux or "
+                                    "symmetry side of the domain");
+    }
+  } // namespace
+
+  const Wall *Walls::at(Edge side) const
+  {
+    for (const Wall &wall : walls)
+      if (wall.side == side)
+        return &wall;
+    return nullptr;
+  }
+
+  bool Walls::moving() const
+  {
+    return std::any_of(walls.begin(), walls.end(), [](const Wall &w) { return w.velocity != 0.; });
+  }
+
+  Walls make_walls(const std::vector<scene::Wall> &asked, const Mesh &mesh)
+  {
+    Walls made;
+    double travel[2] = {0., 0.};
+    for (const scene::Wall &one : asked)
+    {
+      check(one, made, mesh);
+      Wall wall{};
+      wall.asked = one, wall.side = one.side, wall.grip = one.grip;
+      wall.start_distance = one.start_time ? -1. : one.start_distance;
+      const int axis = wall.axis();
+      wall.origin =
+          mesh.lower[axis] + (wall.inward() > 0 ? 0. : (mesh.nodes[axis] - 1) * mesh.spacing[axis]);
+      wall.position = wall.origin;
+      travel[axis] += one.travel;
+      if (travel[axis] > (mesh.nodes[axis] - 6) * mesh.spacing[axis])
+        throw std::invalid_argument(where(one) +
+                                    "wall.travel: the walls would meet; leave at least "
+                                    "five cells between them");
+      made.walls.push_back(wall);
+    }
+    return made;
+  }
+
+  std::optional<double> gap_to_front(const Wall &wall, const Cuts &cuts, const Field<double> &phi,
+                                     const Mesh &mesh, double reach)
+  {
+    const int axis = wall.axis(), inward = wall.inward(), count = mesh.nodes[axis];
+    const auto &cut = cuts.at(wall.side);
+    const int last = cut ? cut->last : (inward > 0 ? 0 : count - 1);
+    const double gap = cut ? cut->gap : 0., h = mesh.spacing[axis];
+    const auto at = [&](int k, int n)
+    { return axis == 0 ? phi(last + inward * k, n) : phi(n, last + inward * k); };
+    const int first = cuts.first(1 - axis), end = cuts.end(1 - axis, mesh.nodes[1 - axis]);
+    const int deepest = std::min(count - 4, static_cast<int>(std::ceil(reach / h)) + 1);
+    for (int k = 0; k <= deepest; ++k)
+    {
+      double nearest = std::numeric_limits<double>::infinity();
+      for (int n = first; n < end; ++n)
+      {
+        if (at(k, n) <= 0.)
+          continue;
+        if (k == 0)
+        {
+          // phi = a + b y^2 between the wall and its last line, y from the wall.
+          const double b = (at(1, n) - at(0, n)) / (1. + 2. * gap), a = at(0, n) - b * gap * gap;
+          nearest = std::min(nearest, a >= 0. ? 0. : std::sqrt(-a / b));
+          continue;
+        }
+        const double here = straightened(at(k, n)), before = straightened(at(k - 1, n));
+        nearest = std::min(nearest, gap + k - here / (here - before));
+      }
+      if (nearest * h <= reach)
+        return std::max(0., nearest) * h;
+    }
+    return std::nullopt;
+  }
+
+  void watch(Walls &walls, const Field<double> &phi, const Mesh &mesh, double time)
+  {
+    for (Wall &wall : walls.walls)
+    {
+      const bool by_time = wall.start_distance < 0.;
+      if (by_time && !wall.started && wall.asked.start_time && time >= *wall.asked.start_time)
+        wall.started = wall.asked.start_time;
+      if (wall.touched || (by_time && !wall.started))
+        continue;
+      const double reach = std::max(wall.start_distance, mesh.spacing[wall.axis()]);
+      const auto gap = gap_to_front(wall, walls.cuts, phi, mesh, reach);
+      if (!gap)
+        continue;
+      if (!wall.started)
+        wall.started = time;
+      if (*gap > 0.)
+        continue;
+      wall.touched = time;
+      wall.travel_at_touch = wall.travel;
+      wall.span_at_touch = span(wall, walls, mesh);
+    }
+  }
+
+  void move(Walls &walls, double time, double dt, const Mesh &mesh)
+  {
+    for (Wall &wall : walls.walls)
+    {
+      const double before = wall.travel, h = mesh.spacing[wall.axis()];
+      wall.travel = std::max(before, travel_at(wall, time + dt));
+      if (wall.travel - before > 0.5 * h)
+      {
+        std::ostringstream text;
+        text << "at time " << time << " a wall crosses " << (wall.travel - before) / h
+             << " cells in one step of " << dt
+             << "; at most half a cell is allowed: shorten the step";
+        throw NumericalTrouble(text.str());
+      }
+      wall.position = wall.origin + wall.inward() * wall.travel;
+      wall.velocity = wall.inward() * (wall.travel - before) / dt;
+    }
+  }
+
+  double step_limit(const Walls &walls, const Mesh &mesh, double fraction)
+  {
+    double limit = std::numeric_limits<double>::infinity();
+    for (const Wall &wall : walls.walls)
+      if (wall.started && wall.asked.speed > 0. && wall.travel < wall.asked.travel)
+        limit = std::min(limit, fraction * mesh.spacing[wall.axis()] / wall.asked.speed);
+    return limit;
+  }
+
+  double compression(const Walls &walls)
+  {
+    double largest = 0.;
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      double travel = 0., span = 0.;
+      for (const Wall &wall : walls.walls)
+        if (wall.axis() == axis && wall.touched)
+        {
+          travel += wall.travel - wall.travel_at_touch;
+          span = std::max(span, wall.span_at_touch);
+        }
+      largest = std::max(largest, span > 0. ? travel / span : 0.);
+    }
+    return largest;
+  }
+} // namespace medium
