@@ -26,7 +26,7 @@ def von_mises(yy, zz):
     return math.sqrt(yy * yy - yy * zz + zz * zz)
 
 
-def stress_rate(yy, zz, rate, viscosity):
+def stress_rate(yy, zz, rate, viscosity, yielding=False):
     """Rates of sigma_yy, sigma_zz and of the equivalent plastic strain at axial strain rate `rate`."""
     q = von_mises(yy, zz)
     mean = (yy + zz) / 3
@@ -44,9 +44,16 @@ def stress_rate(yy, zz, rate, viscosity):
     gamma = 0.0
     if viscosity is not None:
         gamma = max(q - YIELD, 0.0) / viscosity
-    elif q >= YIELD * (1 - 1e-12) and q_rate(0.0) > 0:
+    elif yielding:
         gamma = q_rate(0.0) / (q_rate(0.0) - q_rate(1.0))  # dq/dt is linear in gamma
     return *elastic(gamma), gamma
+
+
+def loads(yy, zz, rate):
+    """Whether the elastic rate leads out of the yield surface."""
+    d_yy, d_zz, _ = stress_rate(yy, zz, rate, None)
+    mean = (d_yy + d_zz) / 3
+    return yy * (d_yy - mean) + zz * (d_zz - mean) > 0
 
 
 def integrate(strain_of, end, steps, viscosity, samples):
@@ -56,14 +63,17 @@ def integrate(strain_of, end, steps, viscosity, samples):
     rows = [(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)]
     for n in range(steps):
         rate = (strain_of((n + 1) * h) - strain_of(n * h)) / h
-        k1 = stress_rate(yy, zz, rate, viscosity)
-        k2 = stress_rate(yy + h / 2 * k1[0], zz + h / 2 * k1[1], rate, viscosity)
-        k3 = stress_rate(yy + h / 2 * k2[0], zz + h / 2 * k2[1], rate, viscosity)
-        k4 = stress_rate(yy + h * k3[0], zz + h * k3[1], rate, viscosity)
+        # Rate-independent: on the surface the step is plastic as a whole unless its rate leads back inside.
+        yielding = viscosity is None and von_mises(yy, zz) >= YIELD * (1 - 1e-9) and loads(yy, zz, rate)
+        law = (rate, viscosity, yielding)
+        k1 = stress_rate(yy, zz, *law)
+        k2 = stress_rate(yy + h / 2 * k1[0], zz + h / 2 * k1[1], *law)
+        k3 = stress_rate(yy + h / 2 * k2[0], zz + h / 2 * k2[1], *law)
+        k4 = stress_rate(yy + h * k3[0], zz + h * k3[1], *law)
         yy, zz, plastic = (v + h / 6 * (a + 2 * b + 2 * c + d)
                            for v, a, b, c, d in zip((yy, zz, plastic), k1, k2, k3, k4))
         q = von_mises(yy, zz)
-        if viscosity is None and q > YIELD:  # the overshoot of the one step that first reaches the surface
+        if yielding or (viscosity is None and q > YIELD):  # drift, and the overshoot of the step that reaches the surface
             yy, zz, q = yy * YIELD / q, zz * YIELD / q, YIELD
         if (n + 1) % (steps // samples) == 0:
             rows.append(((n + 1) * h, strain_of((n + 1) * h), yy, zz, q, plastic))
