@@ -34,18 +34,18 @@ namespace verify
     {
       for (std::size_t i = 0; i < samples.x.size(); ++i)
         if (std::isfinite(samples.y[i]))
-          {
-            ++finite;
-            covered += std::isfinite(interpolate(other, samples.x[i]));
-          }
+        {
+          ++finite;
+          covered += std::isfinite(interpolate(other, samples.x[i]));
+        }
     }
 
     void refuse_infinite(const Curve &curve)
     {
       for (std::size_t i = 0; i < curve.x.size(); ++i)
         if (std::isinf(curve.y[i]) || !std::isfinite(curve.x[i]))
-          throw MissingData(fmt::format("value {} at abscissa {} is not finite", curve.y[i],
-                                        curve.x[i]));
+          throw MissingData(
+              fmt::format("value {} at abscissa {} is not finite", curve.y[i], curve.x[i]));
     }
 
     Curve finite_part(const Curve &curve)
@@ -53,11 +53,11 @@ namespace verify
       Curve result;
       for (std::size_t i = 0; i < curve.x.size(); ++i)
         if (std::isfinite(curve.y[i]) && std::isfinite(curve.x[i]))
-          {
-            result.x.push_back(curve.x[i]);
-            result.y.push_back(curve.y[i]);
-            result.t.push_back(curve.t[i]);
-          }
+        {
+          result.x.push_back(curve.x[i]);
+          result.y.push_back(curve.y[i]);
+          result.t.push_back(curve.t[i]);
+        }
       return result;
     }
 
@@ -81,10 +81,10 @@ namespace verify
       const double my = std::accumulate(c.y.begin(), c.y.end(), 0.) / n;
       double xx = 0., xy = 0., rest = 0.;
       for (std::size_t i = 0; i < c.x.size(); ++i)
-        {
-          xx += (c.x[i] - mx) * (c.x[i] - mx);
-          xy += (c.x[i] - mx) * (c.y[i] - my);
-        }
+      {
+        xx += (c.x[i] - mx) * (c.x[i] - mx);
+        xy += (c.x[i] - mx) * (c.y[i] - my);
+      }
       const double slope = xx > 0. ? xy / xx : 0.;
       for (std::size_t i = 0; i < c.x.size(); ++i)
         rest += std::pow(c.y[i] - my - slope * (c.x[i] - mx), 2);
@@ -99,8 +99,7 @@ namespace verify
     const double slack = 1e-9 * extent(c.x) + 1e-14 * std::abs(x);
     const bool rising = c.x.back() >= c.x.front();
     const auto before = [&](double a, double b) { return rising ? a < b : a > b; };
-    const std::size_t i =
-        std::lower_bound(c.x.begin(), c.x.end(), x, before) - c.x.begin();
+    const std::size_t i = std::lower_bound(c.x.begin(), c.x.end(), x, before) - c.x.begin();
     if (i < c.x.size() && std::abs(c.x[i] - x) <= slack)
       return c.y[i];
     if (i > 0 && std::abs(c.x[i - 1] - x) <= slack)
@@ -119,30 +118,31 @@ namespace verify
     std::size_t first = 0, furthest = 0;
     int direction = 0;
     for (std::size_t i = 1; i < n; ++i)
+    {
+      const double step = curve.x[i] - curve.x[furthest];
+      if (direction == 0 && std::abs(step) > noise)
+        direction = step > 0. ? 1 : -1;
+      if (step * direction >= 0.)
+        furthest = i;
+      else if (direction != 0 && std::abs(step) > noise)
       {
-        const double step = curve.x[i] - curve.x[furthest];
-        if (direction == 0 && std::abs(step) > noise)
-          direction = step > 0. ? 1 : -1;
-        if (step * direction >= 0.)
-          furthest = i;
-        else if (direction != 0 && std::abs(step) > noise)
-          {
-            result.push_back(part(curve, first, furthest + 1));
-            first = furthest;
-            direction = -direction;
-            furthest = i;
-          }
+        result.push_back(part(curve, first, furthest + 1));
+        first = furthest;
+        direction = -direction;
+        furthest = i;
       }
+    }
     if (n > 0)
       result.push_back(part(curve, first, n));
-    // what is left of noise inside a branch would break the search for neighbours: keep the running extreme
+    // what is left of noise inside a branch would break the search for neighbours: keep the running
+    // extreme
     for (auto &branch : result)
-      {
-        const bool rising = branch.x.back() >= branch.x.front();
-        for (std::size_t i = 1; i < branch.x.size(); ++i)
-          branch.x[i] = rising ? std::max(branch.x[i], branch.x[i - 1])
-                               : std::min(branch.x[i], branch.x[i - 1]);
-      }
+    {
+      const bool rising = branch.x.back() >= branch.x.front();
+      for (std::size_t i = 1; i < branch.x.size(); ++i)
+        branch.x[i] = rising ? std::max(branch.x[i], branch.x[i - 1])
+                             : std::min(branch.x[i], branch.x[i - 1]);
+    }
     return result;
   }
 
@@ -160,27 +160,28 @@ namespace verify
     Common common;
     std::size_t finite_a = 0, covered_a = 0, finite_b = 0, covered_b = 0;
     for (std::size_t k = 0; k < in_a.size(); ++k)
+    {
+      count_cover(in_a[k], in_b[k], finite_a, covered_a);
+      count_cover(in_b[k], in_a[k], finite_b, covered_b);
+      common.start.push_back(common.x.size());
+      for (std::size_t i = 0; i < in_b[k].x.size(); ++i)
       {
-        count_cover(in_a[k], in_b[k], finite_a, covered_a);
-        count_cover(in_b[k], in_a[k], finite_b, covered_b);
-        common.start.push_back(common.x.size());
-        for (std::size_t i = 0; i < in_b[k].x.size(); ++i)
-          {
-            const double value = interpolate(in_a[k], in_b[k].x[i]);
-            if (!std::isfinite(value) || !std::isfinite(in_b[k].y[i]))
-              continue;
-            common.x.push_back(in_b[k].x[i]);
-            common.a.push_back(value);
-            common.b.push_back(in_b[k].y[i]);
-          }
+        const double value = interpolate(in_a[k], in_b[k].x[i]);
+        if (!std::isfinite(value) || !std::isfinite(in_b[k].y[i]))
+          continue;
+        common.x.push_back(in_b[k].x[i]);
+        common.a.push_back(value);
+        common.b.push_back(in_b[k].y[i]);
       }
+    }
     if (common.x.empty())
       throw MissingData("nowhere do both have a value");
     if (static_cast<double>(covered_a) < coverage * static_cast<double>(finite_a) ||
         static_cast<double>(covered_b) < coverage * static_cast<double>(finite_b))
-      throw MissingData(fmt::format("short: {} of {} and {} of {} samples are covered by the other; "
-                                    "wanted {:.0f} %",
-                                    covered_a, finite_a, covered_b, finite_b, 100. * coverage));
+      throw MissingData(
+          fmt::format("short: {} of {} and {} of {} samples are covered by the other; "
+                      "wanted {:.0f} %",
+                      covered_a, finite_a, covered_b, finite_b, 100. * coverage));
     return common;
   }
 
@@ -189,15 +190,15 @@ namespace verify
     const std::size_t n = common.x.size();
     std::vector<double> weight(n, 0.);
     for (std::size_t k = 0; k < common.start.size(); ++k)
+    {
+      const std::size_t end = k + 1 < common.start.size() ? common.start[k + 1] : n;
+      for (std::size_t i = common.start[k] + 1; i < end; ++i)
       {
-        const std::size_t end = k + 1 < common.start.size() ? common.start[k + 1] : n;
-        for (std::size_t i = common.start[k] + 1; i < end; ++i)
-          {
-            const double half = 0.5 * std::abs(common.x[i] - common.x[i - 1]);
-            weight[i - 1] += half;
-            weight[i] += half;
-          }
+        const double half = 0.5 * std::abs(common.x[i] - common.x[i - 1]);
+        weight[i - 1] += half;
+        weight[i] += half;
       }
+    }
     if (std::accumulate(weight.begin(), weight.end(), 0.) <= 0.)
       weight.assign(n, 1.);
     return weight;
@@ -210,11 +211,11 @@ namespace verify
     const double slack = 1e-9 * extent(key);
     for (std::size_t i = 0; i < key.size(); ++i)
       if (key[i] >= from - slack && key[i] <= to + slack)
-        {
-          result.x.push_back(curve.x[i]);
-          result.y.push_back(curve.y[i]);
-          result.t.push_back(curve.t[i]);
-        }
+      {
+        result.x.push_back(curve.x[i]);
+        result.y.push_back(curve.y[i]);
+        result.t.push_back(curve.t[i]);
+      }
     return result;
   }
 
@@ -247,9 +248,9 @@ namespace verify
     if (how == "rms")
       for (auto &y : taken.y)
         y *= y;
-    const double mean =
-        span != 0. ? integral(taken) / span
-                   : std::accumulate(taken.y.begin(), taken.y.end(), 0.) / taken.y.size();
+    const double mean = span != 0.
+                            ? integral(taken) / span
+                            : std::accumulate(taken.y.begin(), taken.y.end(), 0.) / taken.y.size();
     return how == "rms" ? std::sqrt(std::max(0., mean)) : mean;
   }
 } // namespace verify

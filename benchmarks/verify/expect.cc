@@ -14,20 +14,11 @@ namespace verify
 {
   namespace fs = std::filesystem;
 
-  const std::array<const char *, 14> norms{"relative",
-                                           "absolute",
-                                           "relative_max",
-                                           "max",
-                                           "relative_rms",
-                                           "rms",
-                                           "relative_l2",
-                                           "l2",
-                                           "relative_mean",
-                                           "mean",
-                                           "symmetric_difference",
-                                           "relative_symmetric_difference",
-                                           "hausdorff",
-                                           "value"};
+  const std::array<const char *, 14> norms{
+      "relative",      "absolute", "relative_max",         "max",
+      "relative_rms",  "rms",      "relative_l2",          "l2",
+      "relative_mean", "mean",     "symmetric_difference", "relative_symmetric_difference",
+      "hausdorff",     "value"};
 
   const Run *Case::find_run(const std::string &wanted) const
   {
@@ -37,8 +28,14 @@ namespace verify
     return nullptr;
   }
 
-  std::string scene_stem(const std::string &suite) { return suite == "full" ? "scene" : suite; }
-  std::string scene_file(const std::string &suite) { return scene_stem(suite) + ".toml"; }
+  std::string scene_stem(const std::string &suite)
+  {
+    return suite == "full" ? "scene" : suite;
+  }
+  std::string scene_file(const std::string &suite)
+  {
+    return scene_stem(suite) + ".toml";
+  }
 
   bool takes_part(const std::string &folder, const std::string &suite)
   {
@@ -76,8 +73,7 @@ namespace verify
       run.h = section.number("h");
       run.threads = static_cast<int>(section.number("threads").value_or(1));
       run.processes = static_cast<int>(section.number("processes").value_or(1));
-      run.time_limit_s =
-          section.number("time_limit_s").value_or(default_time_limit(c.suite));
+      run.time_limit_s = section.number("time_limit_s").value_or(default_time_limit(c.suite));
       run.expect_exit = static_cast<int>(section.number("expect_exit").value_or(0));
       run.expect_output = section.text("expect_output");
       return run;
@@ -87,14 +83,14 @@ namespace verify
     {
       const auto limits = section.expressions("limit");
       const bool interval = check.norm == "value" || !check.order_over.empty();
-      if (limits.size() != (interval ? 2u : 1u))
-        {
-          section.complain("limit",
-                           interval ? "this check needs limit = [low, high]: limits are two-sided"
-                                    : "this check needs limit = one number: its norm is unsigned");
-          return;
-        }
-      check.low = interval ? evaluate(limits[0], constants) : 0.;
+      if (limits.empty() || limits.size() > 2 || (interval && limits.size() == 1))
+      {
+        section.complain("limit", interval
+                                      ? "this check needs limit = [low, high]: limits are two-sided"
+                                      : "this check needs limit = one number, or [low, high]");
+        return;
+      }
+      check.low = limits.size() == 2 ? evaluate(limits[0], constants) : 0.;
       check.high = evaluate(limits.back(), constants);
       if (!(check.low <= check.high))
         section.complain("limit", "the lower limit is above the upper one");
@@ -168,36 +164,19 @@ namespace verify
           section.complain("take", fmt::format("run `{}` needs its mesh size `h`", name));
     }
 
-    void read_constants(Section &file, Case &c)
-    {
-      auto constants = file.section("constants");
-      if (!constants)
-        return;
-      for (const auto &key : constants->keys())
-        if (const auto text = constants->expression(key))
-          try
-            {
-              c.constants.emplace_back(key, evaluate(*text, c.constants));
-            }
-          catch (const BadInput &error)
-            {
-              constants->complain(key, error.what());
-            }
-    }
-
     void read_runs(Section &file, Case &c)
     {
       for (auto &section : file.sections("run"))
-        {
-          const bool here = in_suite(section, c.suite);
-          Run run = read_run(section, c);
-          section.refuse_unused();
-          if (here && c.find_run(run.name))
-            section.complain("name", fmt::format("two runs of suite {} are called `{}`", c.suite,
-                                                 run.name));
-          if (here)
-            c.runs.push_back(run);
-        }
+      {
+        const bool here = in_suite(section, c.suite);
+        Run run = read_run(section, c);
+        section.refuse_unused();
+        if (here && c.find_run(run.name))
+          section.complain("name",
+                           fmt::format("two runs of suite {} are called `{}`", c.suite, run.name));
+        if (here)
+          c.runs.push_back(run);
+      }
       if (c.runs.empty())
         file.complain("", fmt::format("no [[run]] for suite {}", c.suite));
       for (const auto &run : c.runs)
@@ -218,22 +197,22 @@ namespace verify
     Section file((fs::path(folder) / "expect.toml").string(), suite);
     c.title = file.required_text("title");
     c.about = file.text("about");
-    read_constants(file, c);
+    read_constants(file, c.constants);
     read_runs(file, c);
     std::set<std::string> names;
     for (auto &section : file.sections("check"))
-      {
-        const bool here = in_suite(section, suite);
-        if (!here)
-          continue; // its by-suite values need not exist here
-        const Check check = read_check(section, c);
-        section.refuse_unused();
-        check_names(section, check, c);
-        if (!names.insert(check.name).second)
-          section.complain("name", fmt::format("two checks of suite {} are called `{}`", suite,
-                                               check.name));
-        c.checks.push_back(check);
-      }
+    {
+      const bool here = in_suite(section, suite);
+      if (!here)
+        continue; // its by-suite values need not exist here
+      const Check check = read_check(section, c);
+      section.refuse_unused();
+      check_names(section, check, c);
+      if (!names.insert(check.name).second)
+        section.complain("name",
+                         fmt::format("two checks of suite {} are called `{}`", suite, check.name));
+      c.checks.push_back(check);
+    }
     file.refuse_unused();
     file.throw_errors();
     return c;

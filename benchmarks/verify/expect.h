@@ -1,4 +1,5 @@
-// What a case runs and what must come out: expect.toml as plain data (README.md here defines the format).
+// What a case runs and what must come out: expect.toml as plain data (README.md here defines the
+// format).
 #pragma once
 
 #include <array>
@@ -15,8 +16,9 @@ namespace verify
   {
     std::string name, solver, scene; // scene: file name in the case folder
     std::vector<std::string> set;    // "key=value"
-    std::vector<std::string> needs;  // runs that must be finished first; "{name}" in `set` is their record
-    std::optional<double> h;         // mesh size, in the scene's length unit
+    std::vector<std::string>
+        needs;               // runs that must be finished first; "{name}" in `set` is their record
+    std::optional<double> h; // mesh size, in the scene's length unit
     int threads = 1, processes = 1;
     double time_limit_s = 0.;
     int expect_exit = 0;
@@ -40,8 +42,10 @@ namespace verify
     std::string of, abscissa, reduce;
     std::string at;                   // expression, "end", or "" (a whole history)
     std::vector<std::string> between; // none or two expressions
-    std::string side, x, y;           // of an outline's side position
-    std::vector<std::string> box;     // none or four expressions: x0 y0 x1 y1
+    bool along_abscissa = false;      // `between` is of the abscissa, not of time
+    std::string side, x, y;           // of an outline's side position, extreme
+    std::string rotate;           // degrees by which an outline is turned about the origin first
+    std::vector<std::string> box; // none or four expressions: x0 y0 x1 y1
     std::vector<std::string> with_names;
     std::vector<Take> with;
   };

@@ -8,12 +8,13 @@ namespace verify
 {
   namespace
   {
-    const std::vector<std::string> reductions{"max",   "min",  "max_abs", "mean",  "rms",     "first",
-                                              "last", "range", "slope",   "integral", "ripple"};
+    const std::vector<std::string> reductions{"max",   "min",      "max_abs", "mean",
+                                              "rms",   "first",    "last",    "range",
+                                              "slope", "integral", "ripple"};
     const std::vector<std::pair<std::string, Take::Kind>> kinds{
-        {"table", Take::Kind::table},       {"line", Take::Kind::line},
-        {"outline", Take::Kind::outline},   {"snapshot", Take::Kind::snapshot},
-        {"number", Take::Kind::number},     {"value", Take::Kind::value}};
+        {"table", Take::Kind::table},     {"line", Take::Kind::line},
+        {"outline", Take::Kind::outline}, {"snapshot", Take::Kind::snapshot},
+        {"number", Take::Kind::number},   {"value", Take::Kind::value}};
 
     /// Finds which kind of probe the section names; keeps the base's if it names none.
     void read_kind(Section &section, Take &take, bool has_base)
@@ -21,19 +22,19 @@ namespace verify
       int found = 0;
       for (const auto &[key, kind] : kinds)
         if (section.has(key))
+        {
+          ++found;
+          take.kind = kind;
+          take.probes.clear();
+          if (kind == Take::Kind::table && section.is_section(key))
           {
-            ++found;
-            take.kind = kind;
-            take.probes.clear();
-            if (kind == Take::Kind::table && section.is_section(key))
-              {
-                auto tables = *section.section(key);
-                for (const auto &prefix : tables.keys())
-                  take.probes.push_back({prefix, tables.required_text(prefix)});
-              }
-            else
-              take.probes.push_back({"", section.text(key)});
+            auto tables = *section.section(key);
+            for (const auto &prefix : tables.keys())
+              take.probes.push_back({prefix, tables.required_text(prefix)});
           }
+          else
+            take.probes.push_back({"", section.text(key)});
+        }
       if (found > 1 || (found == 0 && !has_base))
         section.complain("", "a take names one of table, line, outline, snapshot, number, value");
     }
@@ -47,10 +48,10 @@ namespace verify
       take.with_names.clear();
       for (const auto &name : with->keys())
         if (auto inner = with->section(name))
-          {
-            take.with_names.push_back(name);
-            take.with.push_back(read_take(*inner, nullptr));
-          }
+        {
+          take.with_names.push_back(name);
+          take.with.push_back(read_take(*inner, nullptr));
+        }
     }
 
     void check_needs(Section &section, const Take &take)
@@ -65,6 +66,8 @@ namespace verify
           (take.side.empty() || take.x.empty() == take.y.empty()))
         section.complain("", "a side position needs side = \"left\" or \"right\" and y, or "
                              "side = \"top\" or \"bottom\" and x");
+      if (take.kind == Kind::outline && take.of.rfind("extreme_", 0) == 0 && take.side.empty())
+        section.complain("", "an extreme needs side = \"left\", \"right\", \"bottom\" or \"top\"");
       if (!take.reduce.empty() &&
           std::find(reductions.begin(), reductions.end(), take.reduce) == reductions.end())
         section.complain("reduce", fmt::format("no such reduction: `{}`", take.reduce));
@@ -81,8 +84,8 @@ namespace verify
 
     void check_norm(Section &section, const Check &check)
     {
-      const bool of_outlines = check.norm == "hausdorff" ||
-                               check.norm.find("symmetric_difference") != std::string::npos;
+      const bool of_outlines =
+          check.norm == "hausdorff" || check.norm.find("symmetric_difference") != std::string::npos;
       if (of_outlines != gives_outline(check.take))
         section.complain("norm", of_outlines ? "this norm compares outlines"
                                              : "outlines need symmetric_difference or hausdorff");
@@ -94,34 +97,51 @@ namespace verify
     {
       Against against;
       if (const auto formula = section.expression("formula"))
-        {
-          against.kind = Against::Kind::formula;
-          against.text = *formula;
-        }
+      {
+        against.kind = Against::Kind::formula;
+        against.text = *formula;
+      }
       else if (const auto number = section.expression("number"); number && !section.has("run"))
-        {
-          against.kind = Against::Kind::number;
-          against.text = *number;
-        }
+      {
+        against.kind = Against::Kind::number;
+        against.text = *number;
+      }
       else if (section.has("csv"))
-        {
-          against.kind = Against::Kind::csv;
-          against.text = section.text("csv");
-          against.take.of = section.required_text("of");
-          against.take.abscissa = section.text("abscissa", "time");
-          against.take.at = section.expression("at").value_or("");
-          against.take.between = section.expressions("between");
-          against.take.reduce = section.text("reduce");
-        }
+      {
+        against.kind = Against::Kind::csv;
+        against.text = section.text("csv");
+        against.take.of = section.required_text("of");
+        against.take.abscissa = section.text("abscissa", "time");
+        against.take.at = section.expression("at").value_or("");
+        against.take.between = section.expressions("between");
+        against.take.reduce = section.text("reduce");
+      }
       else
-        {
-          against.kind = Against::Kind::run;
-          against.take = read_take(section, &take);
-        }
+      {
+        against.kind = Against::Kind::run;
+        against.take = read_take(section, &take);
+      }
       section.refuse_unused();
       return against;
     }
   } // namespace
+
+  void read_constants(Section &file, Constants &constants)
+  {
+    auto section = file.section("constants");
+    if (!section)
+      return;
+    for (const auto &key : section->keys())
+      if (const auto text = section->expression(key))
+        try
+        {
+          constants.emplace_back(key, evaluate(*text, constants));
+        }
+        catch (const BadInput &error)
+        {
+          section->complain(key, error.what());
+        }
+  }
 
   Take read_take(Section &section, const Take *base)
   {
@@ -137,7 +157,16 @@ namespace verify
     take.x = section.expression("x").value_or(take.x);
     take.y = section.expression("y").value_or(take.y);
     if (section.has("between"))
+    {
       take.between = section.expressions("between");
+      take.along_abscissa = false;
+    }
+    if (section.has("between_abscissa"))
+    {
+      take.between = section.expressions("between_abscissa");
+      take.along_abscissa = true;
+    }
+    take.rotate = section.expression("rotate").value_or(take.rotate);
     if (section.has("box"))
       take.box = section.expressions("box");
     if (makes_value)
@@ -151,12 +180,12 @@ namespace verify
   {
     Against against;
     if (section.is_text("against"))
-      {
-        if (section.text("against") == "zero")
-          against.kind = Against::Kind::zero;
-        else
-          section.complain("against", "`against` is a table, or \"zero\"");
-      }
+    {
+      if (section.text("against") == "zero")
+        against.kind = Against::Kind::zero;
+      else
+        section.complain("against", "`against` is a table, or \"zero\"");
+    }
     else if (auto table = section.section("against"))
       against = read_against_table(*table, check.take);
     Check known = check;

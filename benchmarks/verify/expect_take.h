@@ -1,4 +1,5 @@
-// The `take` and `against` entries of a check.
+// The entries that expect.toml, tradeoff.toml and stability.toml share: constants, `take` and
+// `against`.
 #pragma once
 
 #include "expect.h"
@@ -6,8 +7,11 @@
 
 namespace verify
 {
+  /// Reads [constants], each an expression of those before it. Errors are noted in the section.
+  void read_constants(Section &file, Constants &);
   /// `base`: where omitted keys come from (an `against` that names another run), or null.
   Take read_take(Section &, const Take *base);
-  /// Reads the key `against` of a check whose take and norm are known. Errors are noted in the section.
+  /// Reads the key `against` of a check whose take and norm are known. Errors are noted in the
+  /// section.
   Against read_against(Section &check_section, const Check &);
 } // namespace verify

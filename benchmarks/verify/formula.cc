@@ -32,51 +32,52 @@ namespace verify
   double evaluate(const std::string &text, const Constants &constants)
   {
     try
-      {
-        return parser_of(text, constants).Eval();
-      }
+    {
+      return parser_of(text, constants).Eval();
+    }
     catch (const mu::Parser::exception_type &error)
-      {
-        throw BadInput(fmt::format("expression `{}`: {}", text, error.GetMsg()));
-      }
+    {
+      throw BadInput(fmt::format("expression `{}`: {}", text, error.GetMsg()));
+    }
   }
 
   std::vector<double> evaluate(const std::string &text, const Constants &constants,
                                const ColumnData &columns)
   {
     try
+    {
+      // A column hides a constant of the same name: what was measured is nearer than what was
+      // declared.
+      Constants visible;
+      for (const auto &constant : constants)
+        if (columns.count(constant.first) == 0)
+          visible.push_back(constant);
+      mu::Parser parser = parser_of(text, visible);
+      std::map<std::string, double> row;
+      std::size_t size = 0;
+      for (const auto &[name, values] : columns)
       {
-        // A column hides a constant of the same name: what was measured is nearer than what was declared.
-        Constants visible;
-        for (const auto &constant : constants)
-          if (columns.count(constant.first) == 0)
-            visible.push_back(constant);
-        mu::Parser parser = parser_of(text, visible);
-        std::map<std::string, double> row;
-        std::size_t size = 0;
+        if (name != "pi")
+          parser.DefineVar(name, &row[name]);
+        size = values.size();
+      }
+      std::vector<double> result(size);
+      for (std::size_t i = 0; i < size; ++i)
+      {
         for (const auto &[name, values] : columns)
-          {
-            if (name != "pi")
-              parser.DefineVar(name, &row[name]);
-            size = values.size();
-          }
-        std::vector<double> result(size);
-        for (std::size_t i = 0; i < size; ++i)
-          {
-            for (const auto &[name, values] : columns)
-              row[name] = values[i];
-            result[i] = parser.Eval();
-          }
-        if (size == 0)
-          parser.Eval(); // complains about unknown names even where there are no rows
-        return result;
+          row[name] = values[i];
+        result[i] = parser.Eval();
       }
+      if (size == 0)
+        parser.Eval(); // complains about unknown names even where there are no rows
+      return result;
+    }
     catch (const mu::Parser::exception_type &error)
-      {
-        if (error.GetCode() == mu::ecUNASSIGNABLE_TOKEN)
-          throw MissingData(fmt::format("`{}`: no column `{}`; there are: {}", text,
-                                        error.GetToken(), names(columns)));
-        throw BadInput(fmt::format("expression `{}`: {}", text, error.GetMsg()));
-      }
+    {
+      if (error.GetCode() == mu::ecUNASSIGNABLE_TOKEN)
+        throw MissingData(fmt::format("`{}`: no column `{}`; there are: {}", text, error.GetToken(),
+                                      names(columns)));
+      throw BadInput(fmt::format("expression `{}`: {}", text, error.GetMsg()));
+    }
   }
 } // namespace verify

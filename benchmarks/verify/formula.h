@@ -13,10 +13,11 @@ namespace verify
   /// Named columns of equal length.
   using ColumnData = std::map<std::string, std::vector<double>>;
 
-  /// One number from an expression of the constants. Throws BadInput naming the expression and what is wrong.
+  /// One number from an expression of the constants. Throws BadInput naming the expression and what
+  /// is wrong.
   double evaluate(const std::string &text, const Constants &);
 
-  /// One number per row from an expression of constants and columns. Throws MissingData naming the columns that there
-  /// are if the expression asks for another, BadInput if it is no expression.
+  /// One number per row from an expression of constants and columns. Throws MissingData naming the
+  /// columns that there are if the expression asks for another, BadInput if it is no expression.
   std::vector<double> evaluate(const std::string &text, const Constants &, const ColumnData &);
 } // namespace verify

@@ -12,22 +12,20 @@ namespace verify
 {
   namespace
   {
-    /// p of e23/(r23^p - 1) = r12^p e12/(r12^p - 1) for e23/e12 = ratio; the left side over the right falls in p.
+    /// p of e23/(r23^p - 1) = r12^p e12/(r12^p - 1) for e23/e12 = ratio; the left side over the
+    /// right falls in p.
     double solve_order(const double ratio, const double r12, const double r23)
     {
       const auto excess = [&](double p)
-      {
-        return ratio * (std::pow(r12, p) - 1.) -
-               (std::pow(r23, p) - 1.) * std::pow(r12, p);
-      };
+      { return ratio * (std::pow(r12, p) - 1.) - (std::pow(r23, p) - 1.) * std::pow(r12, p); };
       double low = 1e-6, high = 20.;
       if (excess(low) <= 0.)
         return low;
       for (int i = 0; i < 200 && high - low > 1e-13; ++i)
-        {
-          const double middle = 0.5 * (low + high);
-          (excess(middle) > 0. ? low : high) = middle;
-        }
+      {
+        const double middle = 0.5 * (low + high);
+        (excess(middle) > 0. ? low : high) = middle;
+      }
       return 0.5 * (low + high);
     }
   } // namespace
@@ -46,24 +44,24 @@ namespace verify
   {
     GridUncertainty result;
     if (e12 == 0. && e23 == 0.)
-      {
-        result.monotone = true;
-        result.order = order_at_most;
-        return result;
-      }
+    {
+      result.monotone = true;
+      result.order = order_at_most;
+      return result;
+    }
     // differences that grow, stay or change sign towards the fine side carry no order
     const double ratio = e12 == 0. ? -1. : e23 / e12;
     const double order = ratio > 0. ? solve_order(ratio, r12, r23) : 0.;
     if (order < 0.1)
-      {
-        result.uncertainty = safety * spread;
-        return result;
-      }
+    {
+      result.uncertainty = safety * spread;
+      return result;
+    }
     result.monotone = true;
     result.order = order;
     const double believed = std::min(order, order_at_most);
-    result.uncertainty = safety * std::abs(e12) / (std::pow(r12, believed) - 1.) *
-                         std::pow(size_ratio, believed);
+    result.uncertainty =
+        safety * std::abs(e12) / (std::pow(r12, believed) - 1.) * std::pow(size_ratio, believed);
     return result;
   }
 
@@ -74,10 +72,9 @@ namespace verify
     auto result = grid_uncertainty(h, difference, wanted, order_at_most);
     const auto k = fine_to_coarse(h);
     if (result.monotone)
-      result.limit = f[k[0]] + (f[k[0]] - f[k[1]]) /
-                                   (std::pow(h[k[1]] / h[k[0]],
-                                             std::min(result.order, order_at_most)) -
-                                    1.);
+      result.limit =
+          f[k[0]] + (f[k[0]] - f[k[1]]) /
+                        (std::pow(h[k[1]] / h[k[0]], std::min(result.order, order_at_most)) - 1.);
     return result;
   }
 
@@ -85,17 +82,17 @@ namespace verify
   {
     double mx = 0., my = 0., xx = 0., xy = 0.;
     for (std::size_t i = 0; i < h.size(); ++i)
-      {
-        if (!(error[i] > 0.) || !std::isfinite(error[i]))
-          throw MissingData(fmt::format("no order: the error at h = {} is {}", h[i], error[i]));
-        mx += std::log(h[i]) / static_cast<double>(h.size());
-        my += std::log(error[i]) / static_cast<double>(h.size());
-      }
+    {
+      if (!(error[i] > 0.) || !std::isfinite(error[i]))
+        throw MissingData(fmt::format("no order: the error at h = {} is {}", h[i], error[i]));
+      mx += std::log(h[i]) / static_cast<double>(h.size());
+      my += std::log(error[i]) / static_cast<double>(h.size());
+    }
     for (std::size_t i = 0; i < h.size(); ++i)
-      {
-        xx += std::pow(std::log(h[i]) - mx, 2);
-        xy += (std::log(h[i]) - mx) * (std::log(error[i]) - my);
-      }
+    {
+      xx += std::pow(std::log(h[i]) - mx, 2);
+      xy += (std::log(h[i]) - mx) * (std::log(error[i]) - my);
+    }
     if (!(xx > 0.))
       throw MissingData("no order: all runs have the same h");
     return xy / xx;

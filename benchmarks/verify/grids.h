@@ -1,8 +1,10 @@
-// Order of convergence and discretisation uncertainty from three grids (Roache's grid convergence index).
+// Order of convergence and discretisation uncertainty from three grids (Roache's grid convergence
+// index).
 //
-// For errors C h^p: p solves e23/(r23^p - 1) = r12^p e12/(r12^p - 1), with e12 the difference between the finest two and
-// r12 the ratio of their mesh sizes; the error left on the finest grid is e12/(r12^p - 1), and 1.25 times it is the
-// index. Known answer: h = 1, 2, 4 -> 0.97050, 0.96854, 0.96178 gives p = 1.78617, f(0) = 0.971300, 0.10308 % and 0.35625 %.
+// For errors C h^p: p solves e23/(r23^p - 1) = r12^p e12/(r12^p - 1), with e12 the difference
+// between the finest two and r12 the ratio of their mesh sizes; the error left on the finest grid
+// is e12/(r12^p - 1), and 1.25 times it is the index. Known answer: h = 1, 2, 4 -> 0.97050,
+// 0.96854, 0.96178 gives p = 1.78617, f(0) = 0.971300, 0.10308 % and 0.35625 %.
 #pragma once
 
 #include <optional>
@@ -23,9 +25,10 @@ namespace verify
     std::string text() const;    // one sentence for the report
   };
 
-  /// `h`: mesh sizes, any order, the three finest are used; `difference[i]` between grids i and i+1 once sorted from
-  /// fine to coarse, as `difference(i, j)` gives it for indices into `h`; signed for numbers, unsigned norms for
-  /// curves. `wanted`: index into `h` of the grid whose uncertainty is asked for.
+  /// `h`: mesh sizes, any order, the three finest are used; `difference[i]` between grids i and i+1
+  /// once sorted from fine to coarse, as `difference(i, j)` gives it for indices into `h`; signed
+  /// for numbers, unsigned norms for curves. `wanted`: index into `h` of the grid whose uncertainty
+  /// is asked for.
   template <typename Difference>
   GridUncertainty grid_uncertainty(const std::vector<double> &h, const Difference &difference,
                                    std::size_t wanted, double order_at_most);
@@ -34,11 +37,13 @@ namespace verify
   GridUncertainty grid_uncertainty(const std::vector<double> &h, const std::vector<double> &f,
                                    std::size_t wanted, double order_at_most);
 
-  /// Slope of log(error) over log(h), least squares. Throws MissingData if an error is zero or not finite.
+  /// Slope of log(error) over log(h), least squares. Throws MissingData if an error is zero or not
+  /// finite.
   double observed_order(const std::vector<double> &h, const std::vector<double> &error);
 
-  /// The arithmetic behind: differences between the finest two and the next two, ratios of h; `size_ratio`: h of the
-  /// grid asked for over the finest h; `spread`: largest difference among the three.
+  /// The arithmetic behind: differences between the finest two and the next two, ratios of h;
+  /// `size_ratio`: h of the grid asked for over the finest h; `spread`: largest difference among
+  /// the three.
   GridUncertainty grid_uncertainty(double e12, double e23, double r12, double r23,
                                    double size_ratio, double spread, double order_at_most);
   /// Indices of `h` from fine to coarse.

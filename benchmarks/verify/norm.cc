@@ -17,7 +17,10 @@ namespace verify
       return text.size() >= end.size() &&
              text.compare(text.size() - end.size(), end.size(), end) == 0;
     }
-    bool is_relative(const std::string &name) { return name.rfind("relative", 0) == 0; }
+    bool is_relative(const std::string &name)
+    {
+      return name.rfind("relative", 0) == 0;
+    }
 
     double largest(const Curve &curve)
     {
@@ -33,13 +36,13 @@ namespace verify
       const auto weight = weights(common);
       double sum = 0., square = 0., most = 0., total = 0.;
       for (std::size_t i = 0; i < common.x.size(); ++i)
-        {
-          const double difference = std::abs(common.a[i] - common.b[i]);
-          most = std::max(most, difference);
-          sum += weight[i] * difference;
-          square += weight[i] * difference * difference;
-          total += weight[i];
-        }
+      {
+        const double difference = std::abs(common.a[i] - common.b[i]);
+        most = std::max(most, difference);
+        sum += weight[i] * difference;
+        square += weight[i] * difference * difference;
+        total += weight[i];
+      }
       if (ends_with(name, "max"))
         return most;
       if (ends_with(name, "rms"))
@@ -71,8 +74,7 @@ namespace verify
       if (const auto *number = std::get_if<double>(&a))
         return std::abs(*number - std::get<double>(b));
       if (const auto *curve = std::get_if<Curve>(&a))
-        return curve_distance(norm.name,
-                              common_samples(*curve, std::get<Curve>(b), norm.coverage));
+        return curve_distance(norm.name, common_samples(*curve, std::get<Curve>(b), norm.coverage));
       return outline_distance(norm.name, std::get<Outline>(a), std::get<Outline>(b));
     }
 
@@ -92,13 +94,13 @@ namespace verify
     if (norm.scale != 0.)
       value /= std::abs(norm.scale);
     else if (is_relative(norm.name))
-      {
-        const double reference = size(norm, size_of);
-        if (!(reference > 0.))
-          throw MissingData("a relative norm of a reference that is zero: use an absolute norm or "
-                            "`scale`");
-        value /= reference;
-      }
+    {
+      const double reference = size(norm, size_of);
+      if (!(reference > 0.))
+        throw MissingData("a relative norm of a reference that is zero: use an absolute norm or "
+                          "`scale`");
+      value /= reference;
+    }
     if (!std::isfinite(value))
       throw MissingData(fmt::format("the norm is {}", value));
     return value;

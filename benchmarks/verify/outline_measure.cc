@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include <Eigen/Geometry>
 #include <boost/geometry.hpp>
 #include <boost/geometry/geometries/multi_polygon.hpp>
 #include <boost/geometry/geometries/point_xy.hpp>
@@ -32,11 +33,11 @@ namespace verify
       Area sum;
       for (const auto &polyline : outline)
         if (polyline.size() > 2)
-          {
-            Area next;
-            bg::sym_difference(sum, ring(polyline), next);
-            sum = next;
-          }
+        {
+          Area next;
+          bg::sym_difference(sum, ring(polyline), next);
+          sum = next;
+        }
       return sum;
     }
 
@@ -45,13 +46,12 @@ namespace verify
       double nearest = std::numeric_limits<double>::infinity();
       for (const auto &line : outline)
         for (std::size_t i = 0; i < line.size(); ++i)
-          {
-            const scene::Point a = line[i], edge = line[(i + 1) % line.size()] - a;
-            const double length = edge.squaredNorm();
-            const double s =
-                length > 0. ? std::clamp((p - a).dot(edge) / length, 0., 1.) : 0.;
-            nearest = std::min(nearest, (p - a - s * edge).norm());
-          }
+        {
+          const scene::Point a = line[i], edge = line[(i + 1) % line.size()] - a;
+          const double length = edge.squaredNorm();
+          const double s = length > 0. ? std::clamp((p - a).dot(edge) / length, 0., 1.) : 0.;
+          nearest = std::min(nearest, (p - a - s * edge).norm());
+        }
       return nearest;
     }
 
@@ -100,18 +100,51 @@ namespace verify
     double found = 0.;
     for (const auto &line : outline)
       for (std::size_t i = 0; i < line.size(); ++i)
-        {
-          const scene::Point a = line[i], b = line[(i + 1) % line.size()];
-          if ((a[across] - level) * (b[across] - level) > 0. || a[across] == b[across])
-            continue;
-          const double s = (level - a[across]) / (b[across] - a[across]);
-          const double position = a[1 - across] + s * (b[1 - across] - a[1 - across]);
-          if (!met || (smallest ? position < found : position > found))
-            found = position;
-          met = true;
-        }
+      {
+        const scene::Point a = line[i], b = line[(i + 1) % line.size()];
+        if ((a[across] - level) * (b[across] - level) > 0. || a[across] == b[across])
+          continue;
+        const double s = (level - a[across]) / (b[across] - a[across]);
+        const double position = a[1 - across] + s * (b[1 - across] - a[1 - across]);
+        if (!met || (smallest ? position < found : position > found))
+          found = position;
+        met = true;
+      }
     if (!met)
       throw MissingData("the outline does not reach the level of the side position");
+    return found;
+  }
+
+  Outline rotated(const Outline &outline, const double degrees)
+  {
+    const Eigen::Rotation2Dd turn(degrees * std::acos(-1.) / 180.);
+    Outline result = outline;
+    for (auto &line : result)
+      for (auto &p : line)
+        p = turn * p;
+    return result;
+  }
+
+  double reach(const Outline &outline)
+  {
+    refuse_empty(outline);
+    double largest = 0.;
+    for (const auto &line : outline)
+      for (const auto &p : line)
+        largest = std::max(largest, p.norm());
+    return largest;
+  }
+
+  scene::Point extreme(const Outline &outline, const std::string &side)
+  {
+    refuse_empty(outline);
+    const int axis = side == "left" || side == "right" ? 0 : 1;
+    const double sign = side == "left" || side == "bottom" ? -1. : 1.;
+    scene::Point found = outline.front().front();
+    for (const auto &line : outline)
+      for (const auto &p : line)
+        if (sign * (p[axis] - found[axis]) > 0.)
+          found = p;
     return found;
   }
 

@@ -1,4 +1,5 @@
-// Measures of outlines (closed polylines): area, side position, and distances between two of them (Boost.Geometry).
+// Measures of outlines (closed polylines): area, side position, and distances between two of them
+// (Boost.Geometry).
 #pragma once
 
 #include <string>
@@ -11,9 +12,19 @@ namespace verify
   double area(const Outline &);
   double perimeter(const Outline &);
 
-  /// Outermost position of the outline on a horizontal (`along_x`: y = `level`, the answer is an x) or vertical line;
-  /// `side`: left, right, bottom or top. Throws MissingData if the line does not meet the outline.
+  /// Outermost position of the outline on a horizontal (`along_x`: y = `level`, the answer is an x)
+  /// or vertical line; `side`: left, right, bottom or top. Throws MissingData if the line does not
+  /// meet the outline.
   double side_position(const Outline &, const std::string &side, double level);
+
+  /// The outline turned by `degrees` (counter-clockwise) about the origin.
+  Outline rotated(const Outline &, double degrees);
+
+  /// Largest distance of a vertex from the origin.
+  double reach(const Outline &);
+
+  /// The outermost vertex towards `side`: left, right, bottom or top.
+  scene::Point extreme(const Outline &, const std::string &side);
 
   /// Area that lies in one but not in both.
   double symmetric_difference(const Outline &, const Outline &);

@@ -9,7 +9,8 @@
 
 namespace verify
 {
-  /// Data are absent, short or not finite: the check that needs them has the status "missing" and fails.
+  /// Data are absent, short or not finite: the check that needs them has the status "missing" and
+  /// fails.
   struct MissingData : std::runtime_error
   {
     using std::runtime_error::runtime_error;
@@ -20,8 +21,8 @@ namespace verify
     using std::runtime_error::runtime_error;
   };
 
-  /// y over x; t is the time of each sample (equal to one time throughout for a profile). NaN in y: no material there
-  /// (line probes only).
+  /// y over x; t is the time of each sample (equal to one time throughout for a profile). NaN in y:
+  /// no material there (line probes only).
   struct Curve
   {
     std::vector<double> x, y, t;

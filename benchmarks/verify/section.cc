@@ -8,30 +8,13 @@
 #include <fmt/format.h>
 #include <toml.hpp>
 
+#include "nearest_name.h"
+
 namespace verify
 {
   namespace
   {
     const std::set<std::string> suites{"smoke", "quick", "full"};
-
-    std::size_t edit_distance(const std::string &a, const std::string &b)
-    {
-      std::vector<std::size_t> row(b.size() + 1);
-      for (std::size_t j = 0; j <= b.size(); ++j)
-        row[j] = j;
-      for (std::size_t i = 1; i <= a.size(); ++i)
-        {
-          std::size_t diagonal = row[0];
-          row[0] = i;
-          for (std::size_t j = 1; j <= b.size(); ++j)
-            {
-              const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-              diagonal = row[j];
-              row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
-            }
-        }
-      return row.back();
-    }
 
     bool is_by_suite(const toml::value &value)
     {
@@ -97,18 +80,21 @@ namespace verify
     if (!stream)
       throw BadInput(fmt::format("{}: cannot be read", path));
     try
-      {
-        node->value = toml::parse(stream, path);
-      }
+    {
+      node->value = toml::parse(stream, path);
+    }
     catch (const std::exception &error)
-      {
-        throw BadInput(error.what());
-      }
+    {
+      throw BadInput(error.what());
+    }
     node->suite = suite;
     node->errors = std::make_shared<std::vector<std::string>>();
   }
 
-  bool Section::has(const std::string &key) { return node->find(key) != nullptr; }
+  bool Section::has(const std::string &key)
+  {
+    return node->find(key) != nullptr;
+  }
   bool Section::is_text(const std::string &key)
   {
     const auto *value = node->find(key);
@@ -152,12 +138,12 @@ namespace verify
       return {value->as_string().str};
     std::vector<std::string> result;
     bool good = value->is_array();
-    if (good)
-      for (const auto &entry : value->as_array())
-        if (entry.is_string())
-          result.push_back(entry.as_string().str);
-        else
-          good = false;
+    for (const auto &entry : good ? value->as_array() : toml::array())
+    {
+      good = good && entry.is_string();
+      if (entry.is_string())
+        result.push_back(entry.as_string().str);
+    }
     if (!good)
       node->complain(*value, fmt::format("`{}` must be a list of strings", key), "");
     return result;
@@ -203,17 +189,17 @@ namespace verify
     if (!value)
       return result;
     if (!value->is_array())
-      {
-        node->complain(*value, fmt::format("`{}` must be a list", key), "");
-        return result;
-      }
+    {
+      node->complain(*value, fmt::format("`{}` must be a list", key), "");
+      return result;
+    }
     for (const auto &entry : value->as_array())
-      {
-        // width 0: on one line; toml11 keeps integers, strings and lists as they were written
-        std::string text = toml::format(entry, 1000000);
-        text.erase(std::remove(text.begin(), text.end(), '\n'), text.end());
-        result.push_back(text);
-      }
+    {
+      // width 0: on one line; toml11 keeps integers, strings and lists as they were written
+      std::string text = toml::format(entry, 1000000);
+      text.erase(std::remove(text.begin(), text.end(), '\n'), text.end());
+      result.push_back(text);
+    }
     return result;
   }
 
@@ -223,10 +209,10 @@ namespace verify
     if (!value)
       return {};
     if (!value->is_table())
-      {
-        node->complain(*value, fmt::format("`{}` must be a table", key), "");
-        return {};
-      }
+    {
+      node->complain(*value, fmt::format("`{}` must be a table", key), "");
+      return {};
+    }
     return Section(std::make_shared<Node>(Node{*value, node->suite, node->errors, {}}));
   }
 
@@ -237,13 +223,13 @@ namespace verify
     if (!value)
       return result;
     bool good = value->is_array();
-    if (good)
-      for (const auto &entry : value->as_array())
-        if (entry.is_table())
-          result.push_back(
-              Section(std::make_shared<Node>(Node{entry, node->suite, node->errors, {}})));
-        else
-          good = false;
+    for (const auto &entry : good ? value->as_array() : toml::array())
+    {
+      good = good && entry.is_table();
+      if (entry.is_table())
+        result.push_back(
+            Section(std::make_shared<Node>(Node{entry, node->suite, node->errors, {}})));
+    }
     if (!good)
       node->complain(*value, fmt::format("write `{}` as [[{}]] sections", key, key), "");
     return result;
@@ -272,18 +258,11 @@ namespace verify
   {
     for (const auto &[key, value] : node->value.as_table())
       if (node->asked.count(key) == 0)
-        {
-          std::string nearest;
-          std::size_t distance = 4;
-          for (const auto &known : node->asked)
-            if (edit_distance(key, known) < distance)
-              {
-                distance = edit_distance(key, known);
-                nearest = known;
-              }
-          node->complain(value, fmt::format("the key `{}` is not known here", key),
-                         nearest.empty() ? "" : "did you mean `" + nearest + "`?");
-        }
+      {
+        const std::string nearest = nearest_name(key, node->asked);
+        node->complain(value, fmt::format("the key `{}` is not known here", key),
+                       nearest.empty() ? "" : "did you mean `" + nearest + "`?");
+      }
   }
 
   void Section::throw_errors() const

@@ -1,5 +1,6 @@
-// One section of a TOML file, read key by key, remembering what was asked for: whatever was written but never asked
-// for is an error, and every error of a file is collected with file, line and the underlined text before any is thrown.
+// One section of a TOML file, read key by key, remembering what was asked for: whatever was written
+// but never asked for is an error, and every error of a file is collected with file, line and the
+// underlined text before any is thrown.
 //
 // toml11 takes long to compile, so it appears in section.cc only.
 #pragma once
@@ -21,8 +22,9 @@ namespace verify
   class Section
   {
   public:
-    /// Parses `path`. A value that is a table with only the keys smoke, quick, full stands for its entry of `suite`
-    /// (absent there: as if not written). Throws BadInput if the file cannot be read or parsed.
+    /// Parses `path`. A value that is a table with only the keys smoke, quick, full stands for its
+    /// entry of `suite` (absent there: as if not written). Throws BadInput if the file cannot be
+    /// read or parsed.
     Section(const std::string &path, const std::string &suite);
 
     bool has(const std::string &key);
@@ -47,7 +49,8 @@ namespace verify
     std::vector<std::string> keys() const;
 
     /// Notes an error at `key` (or at the section if it has none).
-    void complain(const std::string &key, const std::string &message, const std::string &remedy = "");
+    void complain(const std::string &key, const std::string &message,
+                  const std::string &remedy = "");
     /// Notes every key that was never asked for, with the nearest known one.
     void refuse_unused();
     /// Throws BadInput with all errors noted so far in the whole file, if any.

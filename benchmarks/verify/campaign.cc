@@ -1,0 +1,235 @@
+#include "campaign.h"
+
+#include <algorithm>
+#include <ctime>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <sstream>
+#include <thread>
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include "drift.h"
+#include "record/provenance.h"
+#include "section.h"
+#include "written.h"
+
+namespace verify
+{
+  namespace fs = std::filesystem;
+  namespace
+  {
+    /// "{run}" in a setting becomes the path of that run's record.
+    std::string with_records(std::string setting, const std::vector<std::string> &needs,
+                             const std::string &folder)
+    {
+      for (const auto &run : needs)
+      {
+        const std::string mark = "{" + run + "}";
+        for (auto at = setting.find(mark); at != std::string::npos; at = setting.find(mark))
+          setting.replace(at, mark.size(), fs::absolute(folder + "/" + run + ".h5").string());
+      }
+      return setting;
+    }
+
+    std::vector<std::string> arguments_of(const Run &run, const Case &c, const Places &places,
+                                          const std::string &folder)
+    {
+      std::vector<std::string> arguments;
+      if (run.processes > 1)
+        arguments = {"mpirun", "--oversubscribe", "-np", std::to_string(run.processes)};
+      arguments.push_back(places.solver(run.solver));
+      arguments.push_back(c.folder + "/" + run.scene);
+      for (const auto &setting : run.set)
+      {
+        arguments.push_back("--set");
+        arguments.push_back(with_records(setting, run.needs, folder));
+      }
+      for (const auto &argument :
+           {std::string("--output"), folder, std::string("--record"), run.name,
+            std::string("--threads"), std::to_string(run.threads), std::string("--force")})
+        arguments.push_back(argument);
+      return arguments;
+    }
+
+    /// Does the log hold what the run must say? Only asked of runs that name it.
+    void check_output(const Run &run, const Job &job, Outcome &outcome)
+    {
+      if (run.expect_output.empty() || !outcome.good())
+        return;
+      std::ifstream stream(job.command.log);
+      std::stringstream log;
+      log << stream.rdbuf();
+      if (std::regex_search(log.str(), std::regex(run.expect_output, std::regex::icase)))
+        return;
+      outcome.status = "failed";
+      outcome.last_words =
+          fmt::format("its output does not contain `{}`:\n{}", run.expect_output, log.str());
+    }
+
+    void judge_case(CaseResult &result, const std::string &output)
+    {
+      std::map<std::string, std::string> unusable;
+      for (std::size_t i = 0; i < result.outcomes.size(); ++i)
+      {
+        check_output(result.c.runs[i], result.jobs[i], result.outcomes[i]);
+        if (!result.outcomes[i].good())
+          unusable[result.c.runs[i].name] = fmt::format(
+              "{} (exit code {})", result.outcomes[i].status, result.outcomes[i].exit_code);
+      }
+      Records records(output + "/" + result.c.name + "/" + scene_stem(result.c.suite), unusable);
+      for (const auto &check : result.c.checks)
+        result.verdicts.push_back(judge(check, result.c, records));
+      // an absent program of the reference is an absent reference, not a wrong solver
+      for (auto &verdict : result.verdicts)
+        for (std::size_t i = 0; i < result.outcomes.size(); ++i)
+          if (verdict.status == Status::missing && result.outcomes[i].status == "no program" &&
+              verdict.check.against.take.run == result.c.runs[i].name &&
+              verdict.check.take.run != result.c.runs[i].name)
+            verdict.status = Status::no_reference;
+      compare_with_accepted(result.verdicts, result.c);
+    }
+
+    std::vector<CaseResult> read_cases(const CampaignOptions &options, const Places &places)
+    {
+      std::vector<CaseResult> cases;
+      std::string errors;
+      const bool named = !options.cases.empty();
+      for (const auto &name : named ? options.cases : case_names(places))
+      {
+        const std::string folder = case_folder(places, name);
+        if (!takes_part(folder, options.suite))
+        {
+          if (named)
+            errors += fmt::format("{} has no {}: it takes no part in suite {}\n", folder,
+                                  scene_file(options.suite), options.suite);
+          continue;
+        }
+        try
+        {
+          cases.push_back({read_case(folder, options.suite), {}, {}, {}});
+        }
+        catch (const BadInput &error)
+        {
+          errors += error.what();
+        }
+      }
+      if (!errors.empty())
+        throw BadInput(errors);
+      if (cases.empty())
+        throw BadInput("no case takes part in suite " + options.suite);
+      return cases;
+    }
+  } // namespace
+
+  Job job_of(const Run &run, const Case &c, const Places &places, const std::string &output)
+  {
+    const std::string folder = output + "/" + c.name + "/" + scene_stem(c.suite);
+    Job job;
+    job.name = c.name + "/" + scene_stem(c.suite) + "/" + run.name;
+    job.base = folder + "/" + run.name;
+    job.command.arguments = arguments_of(run, c, places, folder);
+    job.command.environment = {{"OMP_NUM_THREADS", std::to_string(run.threads)},
+                               {"DEAL_II_NUM_THREADS", std::to_string(run.threads)},
+                               {"OMPI_ALLOW_RUN_AS_ROOT", "1"},
+                               {"OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1"}};
+    job.command.log = job.base + ".log";
+    job.command.time_limit_s = run.time_limit_s;
+    job.cores = run.threads * run.processes;
+    job.expect_exit = run.expect_exit;
+    const std::string program = places.solver(run.solver);
+    job.unavailable = !fs::exists(program);
+    std::string identity = hash_of_scene(c.folder + "/" + run.scene) + hash_of_file(program);
+    for (const auto &argument : job.command.arguments)
+      identity += " " + argument;
+    job.hash = hash_of(identity);
+    return job;
+  }
+
+  std::vector<Job> jobs_of(const Case &c, const Places &places, const std::string &output)
+  {
+    std::vector<Job> jobs;
+    for (const auto &run : c.runs)
+      jobs.push_back(job_of(run, c, places, output));
+    for (std::size_t i = 0; i < jobs.size(); ++i)
+      for (std::size_t k = 0; k < jobs.size(); ++k)
+        if (std::count(c.runs[i].needs.begin(), c.runs[i].needs.end(), c.runs[k].name) > 0)
+        {
+          jobs[i].after.push_back(k);
+          jobs[i].hash = hash_of(jobs[i].hash + jobs[k].hash);
+        }
+    return jobs;
+  }
+
+  Campaign run_campaign(const CampaignOptions &options, const Places &places)
+  {
+    Campaign campaign;
+    campaign.options = options;
+    campaign.started = fmt::format("{:%Y-%m-%d %H:%M:%S} UTC", fmt::gmtime(std::time(nullptr)));
+    const double start = record::wall_seconds();
+    campaign.cases = read_cases(options, places);
+    std::vector<Job> all;
+    for (auto &result : campaign.cases)
+    {
+      result.jobs = jobs_of(result.c, places, options.output);
+      const std::size_t first = all.size();
+      for (Job job : result.jobs)
+      {
+        for (auto &index : job.after)
+          index += first;
+        all.push_back(job);
+      }
+    }
+    const auto outcomes = run_jobs(all, {options.cores, options.fresh});
+    std::size_t next = 0;
+    for (auto &result : campaign.cases)
+    {
+      result.outcomes.assign(outcomes.begin() + static_cast<long>(next),
+                             outcomes.begin() + static_cast<long>(next + result.jobs.size()));
+      next += result.jobs.size();
+      judge_case(result, options.output);
+      if (options.accept && !interrupted())
+        accept(result.verdicts, result.c);
+    }
+    campaign.wall_s = record::wall_seconds() - start;
+    campaign.exit_code = interrupted() ? 130 : exit_code(campaign.cases);
+    write_campaign(campaign, places);
+    return campaign;
+  }
+
+  int exit_code(const std::vector<CaseResult> &cases)
+  {
+    bool failed = false, missing = false, no_reference = false, drifted = false, bad_input = false,
+         diverged = false, broken = false;
+    for (const auto &result : cases)
+    {
+      for (const auto &verdict : result.verdicts)
+      {
+        failed |= verdict.status == Status::fail;
+        missing |= verdict.status == Status::missing;
+        no_reference |= verdict.status == Status::no_reference;
+        drifted |= verdict.drift.drifted;
+      }
+      for (const auto &outcome : result.outcomes)
+      {
+        bad_input |= outcome.status == "bad input";
+        diverged |= outcome.status == "diverged" || outcome.status == "timed out";
+        broken |= outcome.status == "failed";
+      }
+    }
+    // a comparison that was made and failed says more than a run that gave nothing to compare
+    if (failed || (missing && !bad_input && !diverged) || broken)
+      return 1;
+    if (bad_input || diverged)
+      return bad_input ? 2 : 3;
+    return no_reference ? 4 : drifted ? 5 : 0;
+  }
+
+  std::string repeat_case(const Places &places, const Case &c, const std::string &output)
+  {
+    return shell({places.program, "run", c.name, "--suite", c.suite, "--output", output});
+  }
+} // namespace verify

@@ -1,0 +1,142 @@
+#include "commands.h"
+
+#include <cstdio>
+#include <filesystem>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "section.h"
+
+namespace verify
+{
+  namespace fs = std::filesystem;
+  namespace
+  {
+    const char *const suites[] = {"smoke", "quick", "full"};
+
+    void print_case(const CaseResult &result)
+    {
+      fmt::print("\n{} ({})\n", result.c.name, result.c.title);
+      for (std::size_t i = 0; i < result.outcomes.size(); ++i)
+      {
+        const auto &outcome = result.outcomes[i];
+        if (!outcome.good())
+          fmt::print("  run {}: {} (exit code {})\n    repeat with: {}\n", result.c.runs[i].name,
+                     outcome.status, outcome.exit_code, shell(result.jobs[i].command.arguments));
+      }
+      for (const auto &v : result.verdicts)
+      {
+        const std::string value = v.value ? fmt::format("{:.4g}", *v.value) : "-";
+        const std::string error = v.uncertainty ? fmt::format(" +- {:.2g}", *v.uncertainty) : "";
+        const std::string limit = v.check.low == 0.
+                                      ? fmt::format("{:.4g}", v.check.high)
+                                      : fmt::format("{:.4g} .. {:.4g}", v.check.low, v.check.high);
+        fmt::print("  {:12} {:60} {:>10}{} of {} {}\n", text(v.status), v.check.name, value, error,
+                   limit, v.check.unit == "-" ? "" : v.check.unit);
+        if (v.status != Status::pass)
+          fmt::print("{:15}{}\n", "", v.why);
+        if (v.drift.drifted)
+          fmt::print("{:15}drift: accepted {:.6g}, tolerance {:.2g}\n", "", *v.drift.accepted,
+                     v.drift.tolerance);
+      }
+    }
+
+    void print_sum(const Campaign &campaign, const Places &places)
+    {
+      int passed = 0, failed = 0, drifted = 0;
+      double cpu = 0.;
+      for (const auto &result : campaign.cases)
+      {
+        bool bad = false;
+        for (const auto &v : result.verdicts)
+        {
+          (v.status == Status::pass ? passed : failed) += 1;
+          drifted += v.drift.drifted ? 1 : 0;
+          bad |= v.status != Status::pass;
+        }
+        for (const auto &outcome : result.outcomes)
+        {
+          cpu += outcome.cpu_s;
+          bad |= !outcome.good();
+        }
+        if (bad)
+          fmt::print("repeat {} with: {}\n", result.c.name,
+                     repeat_case(places, result.c, campaign.options.output));
+      }
+      fmt::print(
+          "\n{} checks passed, {} failed, {} drifted; {:.1f} s wall, {:.1f} s CPU; exit code {}\n",
+          passed, failed, drifted, campaign.wall_s, cpu, campaign.exit_code);
+    }
+  } // namespace
+
+  int list(const Places &places)
+  {
+    for (const auto &name : case_names(places))
+    {
+      const std::string folder = case_folder(places, name);
+      fmt::print("{}\n", name);
+      for (const char *suite : suites)
+        if (takes_part(folder, suite))
+        {
+          const Case c = read_case(folder, suite);
+          std::vector<std::string> runs;
+          for (const auto &run : c.runs)
+            runs.push_back(run.name);
+          fmt::print("  {:6} {:60} {} checks; runs: {}\n", suite, c.title, c.checks.size(),
+                     fmt::join(runs, ", "));
+        }
+    }
+    return 0;
+  }
+
+  int plan(const Places &places, const std::string &name, const std::string &suite)
+  {
+    const Case c = read_case(case_folder(places, name), suite);
+    fmt::print("{}: {}\n{}\nsuite {}, scene {}\n\n", c.name, c.title, c.about, suite, c.scene);
+    const auto jobs = jobs_of(c, places, "results/" + suite);
+    for (std::size_t i = 0; i < jobs.size(); ++i)
+      fmt::print("run {} (at most {:.0f} s{}{})\n  {}\n", c.runs[i].name, c.runs[i].time_limit_s,
+                 c.runs[i].expect_exit
+                     ? fmt::format(", must end with exit code {}", c.runs[i].expect_exit)
+                     : "",
+                 jobs[i].unavailable ? "; its program is not built" : "",
+                 shell(jobs[i].command.arguments));
+    for (const auto &check : c.checks)
+      fmt::print("\ncheck {}\n  take     {}\n  against  {}\n  norm     {}, within [{:.6g}, {:.6g}] "
+                 "{}\n  source   {}\n  reason   {}\n",
+                 check.name, describe(check.take), describe(check.against), check.norm, check.low,
+                 check.high, check.unit, check.source, check.reason);
+    return 0;
+  }
+
+  int run(const Places &places, const CampaignOptions &options)
+  {
+    const Campaign campaign = run_campaign(options, places);
+    for (const auto &result : campaign.cases)
+      print_case(result);
+    print_sum(campaign, places);
+    report(places, options.output);
+    return campaign.exit_code;
+  }
+
+  int report(const Places &places, const std::string &folder)
+  {
+    const bool any = fs::exists(folder + "/campaign.json") || fs::exists(folder + "/tradeoff") ||
+                     fs::exists(folder + "/stability");
+    if (!any)
+      throw BadInput(fmt::format("{} holds no campaign.json: no campaign was run there", folder));
+    const int code = run_python(places, "report.py", {folder});
+    if (code == 0)
+      fmt::print("report: {}/index.html\n", folder);
+    else
+      fmt::print("no report was written (see above); the numbers are in the JSON files of {}\n",
+                 folder);
+    return code == 0 ? 0 : 2;
+  }
+
+  int figures(const Places &places, const std::string &folder)
+  {
+    return run_python(places, "figures.py", {folder}) == 0 ? 0 : 2;
+  }
+} // namespace verify

@@ -1,0 +1,21 @@
+// The commands of `verify`; each returns an exit code and prints its result on stdout.
+#pragma once
+
+#include <string>
+
+#include "campaign.h"
+#include "places.h"
+
+namespace verify
+{
+  int list(const Places &);
+  int plan(const Places &, const std::string &case_name, const std::string &suite);
+  int run(const Places &, const CampaignOptions &);
+  int report(const Places &, const std::string &folder);
+  int diff(const std::string &folder_a, const std::string &folder_b);
+  int tradeoff(const Places &, const std::string &case_name, const CampaignOptions &);
+  int advise(const Places &, const std::string &case_name, const std::string &quantity,
+             const std::string &error, const std::string &output);
+  int stability(const Places &, const CampaignOptions &);
+  int figures(const Places &, const std::string &folder);
+} // namespace verify

@@ -1,0 +1,14 @@
+// A reference table in the case folder: a header line with the names, commas, lines that start with
+// # are comments.
+#pragma once
+
+#include <string>
+
+#include "formula.h"
+
+namespace verify
+{
+  /// Throws MissingReference if the file is absent, BadInput naming file and line if a row is not
+  /// numbers.
+  ColumnData read_csv(const std::string &path);
+} // namespace verify

@@ -1,0 +1,92 @@
+#include "drift.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "section.h"
+
+namespace verify
+{
+  namespace
+  {
+    using Values = std::map<std::string, double>;
+
+    std::string path_of(const Case &c)
+    {
+      return c.folder + "/accepted.toml";
+    }
+
+    Values accepted_values(const Case &c, const std::string &suite)
+    {
+      Values values;
+      if (!std::filesystem::exists(path_of(c)))
+        return values;
+      Section file(path_of(c), suite);
+      auto table = file.section(suite);
+      if (!table)
+        return values;
+      for (const auto &name : table->keys())
+        if (const auto value = table->number(name))
+          values[name] = *value;
+      file.throw_errors();
+      return values;
+    }
+
+    std::string quoted(const std::string &text)
+    {
+      std::string result = "\"";
+      for (const char c : text)
+        result += (c == '"' || c == '\\') ? std::string("\\") + c : std::string(1, c);
+      return result + "\"";
+    }
+  } // namespace
+
+  void compare_with_accepted(std::vector<Verdict> &verdicts, const Case &c)
+  {
+    const Values values = accepted_values(c, c.suite);
+    for (auto &verdict : verdicts)
+    {
+      const auto found = values.find(verdict.check.name);
+      if (found == values.end() || !verdict.value)
+        continue;
+      const double limit = std::max(std::abs(verdict.check.low), std::abs(verdict.check.high));
+      verdict.drift.accepted = found->second;
+      verdict.drift.tolerance =
+          std::max(verdict.check.drift * std::abs(found->second), 1e-3 * limit);
+      verdict.drift.drifted = std::abs(*verdict.value - found->second) > verdict.drift.tolerance;
+    }
+  }
+
+  void accept(const std::vector<Verdict> &verdicts, const Case &c)
+  {
+    std::map<std::string, Values> all;
+    for (const char *suite : {"smoke", "quick", "full"})
+      all[suite] = accepted_values(c, suite);
+    all[c.suite].clear();
+    for (const auto &verdict : verdicts)
+      if (verdict.status == Status::pass)
+        all[c.suite][verdict.check.name] = *verdict.value;
+    std::ofstream file(path_of(c));
+    file << "# Last accepted values of the checks, written by `verify run --accept`; a change is "
+            "reported as drift.\n";
+    for (const auto &[suite, values] : all)
+      if (!values.empty())
+      {
+        file << "\n[" << suite << "]\n";
+        for (const auto &[name, value] : values)
+        {
+          std::string number = fmt::format("{:.6g}", value);
+          if (number.find_first_of(".en") == std::string::npos)
+            number += ".0";
+          file << quoted(name) << " = " << number << "\n";
+        }
+      }
+    if (!file)
+      throw BadInput(fmt::format("{} cannot be written", path_of(c)));
+  }
+} // namespace verify

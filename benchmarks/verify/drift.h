@@ -1,0 +1,19 @@
+// This project's own last accepted values: <case>/accepted.toml, one table per suite, check name =
+// value.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "judge.h"
+
+namespace verify
+{
+  /// Fills the drift of each verdict that has a value, from accepted.toml if there is one. Throws
+  /// BadInput.
+  void compare_with_accepted(std::vector<Verdict> &, const Case &);
+
+  /// Writes the values of all verdicts that passed as the accepted ones of this suite; other suites
+  /// stay.
+  void accept(const std::vector<Verdict> &, const Case &);
+} // namespace verify

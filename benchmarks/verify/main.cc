@@ -1,0 +1,145 @@
+// verify: argv -> command -> exit code; the only try/catch.
+#include <cstdio>
+#include <thread>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "commands.h"
+#include "section.h"
+
+namespace
+{
+  using namespace verify;
+
+  struct Arguments
+  {
+    std::string cases, solvers, name, other, suite, output, quantity, error;
+    CampaignOptions campaign;
+  };
+
+  CLI::Option *add_suite(CLI::App *app, std::string &suite)
+  {
+    return app->add_option("--suite", suite, "smoke, quick or full")
+        ->check(CLI::IsMember({"smoke", "quick", "full"}));
+  }
+
+  void add_run(CLI::App &app, Arguments &a)
+  {
+    auto *run = app.add_subcommand("run", "run cases, judge them, write the report");
+    run->add_option("case", a.campaign.cases, "cases (default: all that the suite has)");
+    add_suite(run, a.campaign.suite);
+    run->add_option("-j", a.campaign.cores, "cores to use (default: all)");
+    run->add_option("--output", a.output, "folder of the campaign (default: results/<suite>)");
+    run->add_flag("--fresh", a.campaign.fresh, "repeat runs that are finished");
+    run->add_flag("--accept", a.campaign.accept,
+                  "make the values of what passes the accepted ones");
+  }
+
+  void add_others(CLI::App &app, Arguments &a)
+  {
+    app.add_subcommand("list", "every case, its suites, runs and checks");
+    auto *plan = app.add_subcommand("plan", "what would run and be checked; runs nothing");
+    plan->add_option("case", a.name)->required();
+    add_suite(plan, a.suite);
+    app.add_subcommand("report", "write the report again")
+        ->add_option("folder", a.name)
+        ->required();
+    auto *diff = app.add_subcommand("diff", "two campaigns side by side");
+    diff->add_option("folder_a", a.name)->required();
+    diff->add_option("folder_b", a.other)->required();
+    app.add_subcommand("figures", "the figures of the paper, from the records of a campaign")
+        ->add_option("--output", a.output, "folder of the campaign (default: results/full)");
+  }
+
+  void add_trade(CLI::App &app, Arguments &a)
+  {
+    const auto add_common = [&](CLI::App *command)
+    {
+      command->add_option("-j", a.campaign.cores, "cores to use (default: all)");
+      command->add_option("--output", a.output, "folder of the results (default: results/<suite>)");
+      command->add_flag("--fresh", a.campaign.fresh, "repeat runs that are finished");
+    };
+    auto *trade =
+        app.add_subcommand("tradeoff", "error against cost for the settings of tradeoff.toml");
+    trade->add_option("case", a.name)->required();
+    add_common(trade);
+    auto *map = app.add_subcommand("stability", "classes over the axes of stability.toml");
+    map->add_option("case", a.campaign.cases, "cases (default: all that have a stability.toml)");
+    add_suite(map, a.campaign.suite);
+    add_common(map);
+    auto *advice =
+        app.add_subcommand("advise", "the cheapest measured settings that meet an error");
+    advice->add_option("case", a.name)->required();
+    advice->add_option("--quantity", a.quantity, "as named in tradeoff.toml")->required();
+    advice->add_option("--error", a.error, "0.02 or 2%")->required();
+    advice->add_option("--output", a.output,
+                       "where the trade was measured (default: results/full)");
+  }
+
+  int dispatch(CLI::App &app, Arguments &a, const std::string &program)
+  {
+    if (app.got_subcommand("diff"))
+      return diff(a.name, a.other);
+    const Places places = find_places(program, a.cases, a.solvers);
+    if (app.got_subcommand("list"))
+      return list(places);
+    if (app.got_subcommand("plan"))
+      return plan(places, a.name, a.suite.empty() ? "quick" : a.suite);
+    if (app.got_subcommand("report"))
+      return report(places, a.name);
+    if (app.got_subcommand("figures"))
+      return figures(places, a.output.empty() ? "results/full" : a.output);
+    if (app.got_subcommand("advise"))
+      return advise(places, a.name, a.quantity, a.error,
+                    a.output.empty() ? "results/full" : a.output);
+    if (app.got_subcommand("tradeoff") ||
+        (app.got_subcommand("stability") && !app.get_subcommand("stability")->count("--suite")))
+      a.campaign.suite = "full";
+    a.campaign.output = a.output.empty() ? "results/" + a.campaign.suite : a.output;
+    if (a.campaign.cores <= 0)
+      a.campaign.cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+    if (app.got_subcommand("tradeoff"))
+      return tradeoff(places, a.name, a.campaign);
+    if (app.got_subcommand("stability"))
+      return stability(places, a.campaign);
+    return run(places, a.campaign);
+  }
+} // namespace
+
+int main(int argc, char **argv)
+{
+  CLI::App app(
+      "Runs the cases of benchmarks/, compares the records with their references, reports.\n"
+      "Exit codes: 0 all right, 1 a comparison failed, 2 bad input, 3 diverged or out of time,\n"
+      "4 reference missing, 5 drift only, 130 interrupted.",
+      "verify");
+  Arguments arguments;
+  app.add_option("--cases", arguments.cases, "folder of the case folders (default: benchmarks)");
+  app.add_option("--solvers", arguments.solvers, "folder of the solvers (default: beside verify)");
+  app.require_subcommand(1);
+  app.fallthrough();
+  add_run(app, arguments);
+  add_others(app, arguments);
+  add_trade(app, arguments);
+  try
+  {
+    app.parse(argc, argv);
+    catch_interrupts();
+    return dispatch(app, arguments, argv[0]);
+  }
+  catch (const CLI::ParseError &error)
+  {
+    return app.exit(error) == 0 ? 0 : 2; // CLI11's own codes start at 100
+  }
+  catch (const BadInput &error)
+  {
+    fmt::print(stderr, "{}\n", error.what());
+    return 2;
+  }
+  catch (const std::exception &error)
+  {
+    fmt::print(stderr, "verify: {}\n", error.what());
+    return 3;
+  }
+}

@@ -1,0 +1,122 @@
+#include "process.h"
+
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <stdexcept>
+
+#include <fcntl.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace verify
+{
+  namespace
+  {
+    volatile std::sig_atomic_t interrupt_flag = 0;
+    void on_interrupt(int)
+    {
+      interrupt_flag = 1;
+    }
+
+    double now()
+    {
+      using namespace std::chrono;
+      return duration<double>(steady_clock::now().time_since_epoch()).count();
+    }
+
+    double seconds(const timeval &t)
+    {
+      return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+    }
+
+    [[noreturn]] void become(const Command &command, int log)
+    {
+      setpgid(0, 0);
+      prctl(PR_SET_PDEATHSIG, SIGTERM);
+      const int input = open("/dev/null", O_RDONLY);
+      dup2(input, 0);
+      dup2(log, 1);
+      dup2(log, 2);
+      for (const auto &[name, value] : command.environment)
+        setenv(name.c_str(), value.c_str(), 1);
+      std::vector<char *> arguments;
+      for (const auto &argument : command.arguments)
+        arguments.push_back(const_cast<char *>(argument.c_str()));
+      arguments.push_back(nullptr);
+      execvp(arguments[0], arguments.data());
+      const std::string message =
+          command.arguments[0] + " cannot be started: " + std::strerror(errno) + "\n";
+      [[maybe_unused]] const auto written = write(2, message.data(), message.size());
+      _exit(127);
+    }
+  } // namespace
+
+  Process::Process(const Command &command) : start(now()), limit(command.time_limit_s)
+  {
+    const int log = open(command.log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+    if (log < 0)
+      throw std::runtime_error(command.log + " cannot be written: " + std::strerror(errno));
+    pid = fork();
+    if (pid == 0)
+      become(command, log);
+    close(log);
+    if (pid < 0)
+      throw std::runtime_error(command.arguments[0] +
+                               " cannot be started: " + std::strerror(errno));
+    setpgid(pid, pid);
+  }
+
+  double Process::wall_s() const
+  {
+    return now() - start;
+  }
+
+  std::optional<Ended> Process::poll()
+  {
+    int status = 0;
+    rusage usage{};
+    if (wait4(pid, &status, WNOHANG, &usage) != pid)
+    {
+      if (limit > 0. && wall_s() > limit)
+      {
+        kill(-pid, wall_s() > limit + 5. ? SIGKILL : SIGTERM);
+        timed_out = true;
+      }
+      return {};
+    }
+    Ended ended;
+    ended.wall_s = wall_s();
+    ended.cpu_s = seconds(usage.ru_utime) + seconds(usage.ru_stime);
+    ended.peak_rss_bytes = 1024. * static_cast<double>(usage.ru_maxrss);
+    ended.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    ended.timed_out = timed_out;
+    ended.interrupted = interrupted;
+    return ended;
+  }
+
+  void Process::interrupt()
+  {
+    interrupted = true;
+    kill(-pid, SIGTERM);
+  }
+
+  void catch_interrupts()
+  {
+    struct sigaction action
+    {
+    };
+    action.sa_handler = on_interrupt;
+    sigaction(SIGINT, &action, nullptr);
+    sigaction(SIGTERM, &action, nullptr);
+  }
+
+  bool interrupted()
+  {
+    return interrupt_flag != 0;
+  }
+} // namespace verify

@@ -1,0 +1,137 @@
+#include "stability_cells.h"
+
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "curve.h"
+
+namespace verify
+{
+  namespace fs = std::filesystem;
+  namespace
+  {
+    std::string with_value(std::string setting, const std::string &value)
+    {
+      for (auto at = setting.find("{value}"); at != std::string::npos; at = setting.find("{value}"))
+        setting.replace(at, 7, value);
+      return setting;
+    }
+  } // namespace
+
+  Cell Mapper::cell(const Map &map, const std::size_t number, const std::string &x,
+                    const std::string &y) const
+  {
+    Cell result;
+    result.x = x;
+    result.y = y;
+    Run run;
+    run.solver = map.solver;
+    run.scene = map.scene;
+    run.set = map.set;
+    for (const auto &setting : map.x.set)
+      run.set.push_back(with_value(setting, x));
+    for (const auto &setting : map.y.set)
+      run.set.push_back(with_value(setting, y));
+    run.time_limit_s = map.time_limit_s;
+    run.name = fmt::format("map{}_{}", number, hash_of(x + "|" + y));
+    result.name = run.name;
+    result.job = job_of(run, stability.c, places, runs);
+    result.job.any_exit = true;
+    return result;
+  }
+
+  void Mapper::run(std::vector<Cell> &cells) const
+  {
+    std::vector<Job> jobs;
+    for (const auto &cell : cells)
+      jobs.push_back(cell.job);
+    const auto outcomes = run_jobs(jobs, {options.cores, options.fresh});
+    for (std::size_t i = 0; i < cells.size(); ++i)
+    {
+      cells[i].outcome = outcomes[i];
+      classify(cells[i]);
+    }
+  }
+
+  void Mapper::classify(Cell &cell) const
+  {
+    const auto &outcome = cell.outcome;
+    cell.why = outcome.last_words.substr(0, 600);
+    if (outcome.status == "bad input")
+      cell.kind = "refused";
+    else if (outcome.status == "timed out")
+      cell.kind = "out of time";
+    else if (outcome.status == "diverged")
+      cell.kind = "diverged";
+    else if (!outcome.good())
+      cell.kind = "not judged";
+    else
+      classify_finished(cell);
+  }
+
+  void Mapper::classify_finished(Cell &cell) const
+  {
+    Case c = stability.c;
+    Records records(fs::path(cell.job.base).parent_path().string(), {});
+    try
+    {
+      if (stability.energy && energy_grows(cell, records))
+        return;
+    }
+    catch (const MissingData &error)
+    {
+      cell.kind = "not judged";
+      cell.why = error.what();
+      return;
+    }
+    cell.kind = stability.accurate.empty() ? "not judged" : "accurate";
+    for (Check check : stability.accurate)
+    {
+      check.take.run = cell.name;
+      for (auto &inner : check.take.with)
+        inner.run = cell.name;
+      if (check.against.kind == Against::Kind::run)
+        check.against.take.run = cell.name;
+      const Verdict verdict = judge(check, c, records);
+      if (verdict.status == Status::pass && cell.kind == "accurate")
+        cell.why += fmt::format("{} {:.3g}; ", check.name, *verdict.value);
+      else if (verdict.status == Status::fail || verdict.status == Status::missing)
+      {
+        cell.kind = verdict.status == Status::fail ? "bounded but wrong" : "not judged";
+        cell.why = check.name + ": " + verdict.why;
+      }
+    }
+  }
+
+  bool Mapper::energy_grows(Cell &cell, Records &records) const
+  {
+    const auto &watch = *stability.energy;
+    const Quantity quantity = measure(watch.take, stability.c.constants, records, cell.name);
+    const Curve &curve = std::get<Curve>(quantity);
+    const double middle = 0.5 * (curve.t.front() + curve.t.back());
+    const double early = reduce(between(curve, true, curve.t.front(), middle), "max_abs"),
+                 late = reduce(between(curve, true, middle, curve.t.back()), "max_abs");
+    const double limit = watch.limit.value_or(watch.growth * early);
+    if (late <= limit)
+      return false;
+    cell.kind = "growing energy";
+    cell.why = fmt::format("{:.3g} in the last half of the run, allowed {:.3g}", late, limit);
+    return true;
+  }
+
+  std::vector<Cell> Mapper::grid(const Map &map, const std::size_t number) const
+  {
+    const std::vector<std::string> rows =
+        map.y.values.empty() ? std::vector<std::string>{""} : map.y.values;
+    std::vector<Cell> cells;
+    for (std::size_t j = 0; j < rows.size(); ++j)
+      for (std::size_t i = 0; i < map.x.values.size(); ++i)
+      {
+        cells.push_back(cell(map, number, map.x.values[i], rows[j]));
+        cells.back().column = i;
+        cells.back().row = j;
+      }
+    return cells;
+  }
+} // namespace verify

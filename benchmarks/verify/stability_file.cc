@@ -1,0 +1,125 @@
+#include "stability_file.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "expect_take.h"
+#include "section.h"
+
+namespace verify
+{
+  namespace fs = std::filesystem;
+  namespace
+  {
+    Axis read_axis(Section &map, const std::string &key)
+    {
+      Axis axis;
+      auto section = map.section(key);
+      if (!section)
+        return axis;
+      const std::string name = section->text("key");
+      axis.set = section->texts("set");
+      if (!name.empty())
+        axis.set.push_back(name + "={value}");
+      if (axis.set.empty())
+        section->complain("", "an axis needs `key`, or `set` with {value} in it");
+      axis.label = section->text("label", name);
+      axis.values = section->literals("values");
+      if (axis.values.empty())
+        section->complain("", "an axis needs `values`");
+      axis.logarithmic = section->text("spacing", "linear") == "logarithmic";
+      section->refuse_unused();
+      return axis;
+    }
+
+    Check read_accurate(Section &section, const Case &c)
+    {
+      Check check;
+      check.name = section.text("name", "accurate");
+      check.norm = section.required_text("norm");
+      check.scale = section.expression("scale").value_or("");
+      check.coverage = section.number("coverage");
+      if (auto take = section.section("take"))
+        check.take = read_take(*take, nullptr);
+      else
+        section.complain("", "no `take`");
+      check.take.run = "cell";
+      for (auto &inner : check.take.with)
+        inner.run = "cell";
+      check.against = read_against(section, check);
+      const auto limits = section.expressions("limit");
+      if (limits.empty() || limits.size() > 2)
+        section.complain("", "`limit` is one number, or [low, high]");
+      else
+      {
+        check.low = limits.size() == 2 ? evaluate(limits[0], c.constants) : 0.;
+        check.high = evaluate(limits.back(), c.constants);
+      }
+      section.refuse_unused();
+      return check;
+    }
+
+    EnergyWatch read_energy(Section &section, const Case &c)
+    {
+      EnergyWatch watch;
+      watch.take.kind = Take::Kind::table;
+      watch.take.run = "cell";
+      watch.take.probes = {{"", section.required_text("table")}};
+      watch.take.of = section.required_text("of");
+      watch.growth = section.number("growth").value_or(10.);
+      if (const auto limit = section.expression("limit"))
+        watch.limit = evaluate(*limit, c.constants);
+      section.refuse_unused();
+      return watch;
+    }
+
+    Map read_map(Section &section, const Case &c)
+    {
+      Map map;
+      map.name = section.required_text("name");
+      map.solver = section.text("solver", "mpm_pf");
+      map.scene = section.text("scene", c.scene);
+      if (!fs::exists(fs::path(c.folder) / map.scene))
+        section.complain("scene", fmt::format("there is no {} in the case folder", map.scene));
+      map.set = section.texts("set");
+      map.x = read_axis(section, "x");
+      map.y = read_axis(section, "y");
+      if (map.x.values.empty())
+        section.complain("", "a map needs its axis `x`");
+      map.bisections = static_cast<int>(section.number("bisections").value_or(0));
+      map.theory = section.expression("theory").value_or("");
+      map.time_limit_s = section.number("time_limit_s").value_or(60.);
+      return map;
+    }
+  } // namespace
+
+  Stability read_stability(const std::string &folder, const std::string &suite)
+  {
+    Section file(folder + "/stability.toml", suite);
+    Stability stability;
+    Case &c = stability.c;
+    c.folder = folder;
+    c.name = fs::path(folder).filename().string();
+    c.suite = suite;
+    c.scene = file.text("scene", takes_part(folder, "quick") ? "quick.toml" : "scene.toml");
+    read_constants(file, c.constants);
+    for (auto &section : file.sections("accurate"))
+      stability.accurate.push_back(read_accurate(section, c));
+    if (auto energy = file.section("energy"))
+      stability.energy = read_energy(*energy, c);
+    for (auto &section : file.sections("map"))
+    {
+      const auto suites = section.texts("suites");
+      if (suites.empty() || std::find(suites.begin(), suites.end(), suite) != suites.end())
+      {
+        stability.maps.push_back(read_map(section, c));
+        section.refuse_unused();
+      }
+    }
+    file.refuse_unused();
+    file.throw_errors();
+    return stability;
+  }
+} // namespace verify

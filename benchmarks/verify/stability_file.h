@@ -1,0 +1,52 @@
+// stability.toml: over which axes a case is driven to its limits, and what counts as accurate
+// (README.md defines the format).
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "expect.h"
+
+namespace verify
+{
+  /// One axis of a map: the settings of each value. "{value}" in a setting stands for the value.
+  struct Axis
+  {
+    std::string label;
+    std::vector<std::string> values; // as TOML text
+    std::vector<std::string> set;    // "key={value}"
+    bool logarithmic = false;        // where bisection meets: geometric mean
+  };
+
+  /// What tells growing energy: max |of| over the last half of the run against `limit`, or `growth`
+  /// times the first half.
+  struct EnergyWatch
+  {
+    Take take;
+    double growth = 10.;
+    std::optional<double> limit;
+  };
+
+  struct Map
+  {
+    std::string name, solver, scene;
+    std::vector<std::string> set;
+    Axis x, y;
+    int bisections = 0;
+    std::string theory; // expression of y: the theoretical limit on x
+    double time_limit_s = 60.;
+  };
+
+  struct Stability
+  {
+    Case c;
+    std::vector<Check> accurate; // take and against a run named "cell"
+    std::optional<EnergyWatch> energy;
+    std::vector<Map> maps;
+  };
+
+  /// Reads <folder>/stability.toml for a suite (values may differ by suite). Throws BadInput with
+  /// every error.
+  Stability read_stability(const std::string &folder, const std::string &suite);
+} // namespace verify

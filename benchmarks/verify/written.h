@@ -1,0 +1,26 @@
+// What a campaign leaves behind: campaign.json, verdict.json and curves.json of each case,
+// junit.xml.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "campaign.h"
+
+namespace verify
+{
+  using Json = nlohmann::ordered_json;
+
+  /// NaN and infinity are not JSON: null, with a status beside it.
+  Json number_or_null(const std::optional<double> &);
+
+  Json to_json(const Verdict &, const std::string &repeat);
+  /// One run with its cost, what its record says of itself, and the command that repeats it.
+  Json run_to_json(const Run &, const Job &, const Outcome &);
+  /// Curves and outlines of one verdict, thinned to what a picture can show.
+  Json curves_to_json(const Verdict &);
+
+  void write_text(const std::string &path, const std::string &text);
+  /// All of the above under the campaign's output folder.
+  void write_campaign(const Campaign &, const Places &);
+  std::string junit(const Campaign &, const Places &);
+} // namespace verify

@@ -1,0 +1,45 @@
+// The linear system of one Newton iteration: a sparse matrix in Trilinos and a direct solver.
+//
+// The tangent of a Jaumann solid is not symmetric and near a limit load nearly singular, so it is
+// factorised (MUMPS through Trilinos' Amesos; KLU where MUMPS is not built). The sparsity pattern
+// never changes: ordering and symbolic factorisation are done once. Held unknowns keep their rows,
+// reduced to the diagonal.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "discretisation.h"
+#include "processes.h"
+
+namespace fe
+{
+  class LinearSystem
+  {
+  public:
+    explicit LinearSystem(const Discretisation &);
+    ~LinearSystem();
+    LinearSystem(const LinearSystem &) = delete;
+    LinearSystem &operator=(const LinearSystem &) = delete;
+
+    void clear();
+    /// Add the matrix (unknowns^2, row-major, node by node) of a touched cell to the rows that this
+    /// process owns: every process evaluates all cells that touch its rows, matrices are never
+    /// sent.
+    void add(int cell, const double *matrix);
+
+    /// Factorise and solve; `right_side` and the result are whole on every process. Throws
+    /// std::runtime_error if the matrix is singular to working precision.
+    std::vector<double> solve(const std::vector<double> &right_side);
+
+    /// Cost so far of factorisations and solutions, and their number.
+    double factorisation_seconds() const;
+    double factorisation_cpu_seconds() const;
+    long factorisations() const;
+    const char *solver_name() const;
+
+  private:
+    struct Trilinos;
+    std::unique_ptr<Trilinos> trilinos;
+  };
+} // namespace fe

@@ -1,0 +1,38 @@
+// The initial mesh: quadrilaterals that fill the bodies.
+//
+// Unions of rectangles get a structured mesh whose grid lines pass through every edge of every
+// rectangle; cells outside the union are left out. On request the lines crowd towards the corners
+// where a support ends (a clamped corner is singular, stress ~ r^(lambda-1)): between two such
+// corners positions follow the power grading s^(1/(1-grading)), which restores the order that a
+// uniform mesh loses there (I. Babuska, R. B. Kellogg, J. Pitkaranta, Numer. Math. 33 (1979) 447).
+// Discs, rings, polygons and unions that hold one of them are meshed inside their common outline by
+// Gmsh, triangles recombined and subdivided into quadrilaterals; sides are straight.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace fe
+{
+  using scene::Point;
+
+  struct QuadMesh
+  {
+    std::vector<Point> vertices;
+    std::vector<std::array<int, 4>> cells; // counter-clockwise
+  };
+
+  /// Cells asked for over the bounding box of the bodies: [fe] cells, else the domain's spacing.
+  std::array<int, 2> wanted_cells(const scene::Scene &);
+
+  /// Throws scene::BadScene if a body has no area or the bodies fall apart into pieces of which one
+  /// touches no support (it could move freely).
+  QuadMesh make_mesh(const scene::Scene &);
+
+  /// The two ways, by shape. `spacing`: wanted size of a cell.
+  QuadMesh mesh_rectangles(const std::vector<scene::Body> &, const std::array<int, 2> &cells,
+                           double grading, const std::vector<scene::Support> &);
+  QuadMesh mesh_outline(const std::vector<scene::Body> &, const Point &spacing);
+} // namespace fe

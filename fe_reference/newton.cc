@@ -1,0 +1,155 @@
+#include "newton.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace fe
+{
+  namespace
+  {
+    constexpr int most_iterations = 18;
+
+    struct Balance
+    {
+      double free = 0., scale = 0.; // norms
+      double rounding = 0.;         // of the internal forces themselves
+      int worst = 0;
+    };
+
+    Balance balance_of(const Problem &problem, const State &old, const State &state)
+    {
+      Balance balance;
+      double held = 0., load = 0., largest = -1.;
+      for (std::size_t k = 0; k < state.internal.size(); ++k)
+      {
+        const double force = state.internal[k] - state.external[k];
+        load += state.external[k] * state.external[k];
+        if (problem.supports.is_held[k])
+          held += state.internal[k] * state.internal[k];
+        else
+        {
+          balance.free += force * force;
+          if (std::abs(force) > largest)
+          {
+            largest = std::abs(force);
+            balance.worst = static_cast<int>(k);
+          }
+        }
+      }
+      balance.free = std::sqrt(balance.free);
+      balance.scale = std::max({std::sqrt(held), std::sqrt(load), old.force_scale});
+      // F = 1 + du/dX is rounded to 1e-16 however small du is.
+      const double length = (problem.mesh.position.front() - problem.mesh.position.back()).norm();
+      balance.rounding = 1e-15 * problem.material.shear_modulus * length;
+      return balance;
+    }
+
+    std::vector<double> correction(const Problem &problem, LinearSystem &system, const State &now,
+                                   const Tangent &tangent)
+    {
+      std::vector<double> right_side = tangent.correction;
+      for (std::size_t k = 0; k < right_side.size(); ++k)
+        if (!problem.supports.is_held[k])
+          right_side[k] -= now.internal[k] - now.external[k];
+      return system.solve(right_side);
+    }
+
+    // now.u = base + fraction * step; false if an element folds.
+    bool move(const Problem &problem, const State &old, State &now, const std::vector<double> &base,
+              const std::vector<double> &step, const double fraction)
+    {
+      for (std::size_t k = 0; k < base.size(); ++k)
+        now.u[k] = base[k] + fraction * step[k];
+      return assemble(problem, old, now, nullptr);
+    }
+
+    // Leaves `now` at the best fraction tried. False if every one folds.
+    bool search(const Problem &problem, const State &old, State &now,
+                const std::vector<double> &step, const double norm)
+    {
+      const std::vector<double> base = now.u;
+      double best = HUGE_VAL, best_fraction = 0., fraction = 1.;
+      for (int halving = 0; halving < 5; ++halving, fraction *= 0.5)
+      {
+        if (!move(problem, old, now, base, step, fraction))
+          continue;
+        const double tried = balance_of(problem, old, now).free;
+        if (tried < (1. - 1e-2 * fraction) * norm)
+          return true;
+        if (tried < best)
+        {
+          best = tried;
+          best_fraction = fraction;
+        }
+      }
+      return best < HUGE_VAL && move(problem, old, now, base, step, best_fraction);
+    }
+
+    // First correction: moves the held unknowns to their places.
+    bool predict(const Problem &problem, LinearSystem &system, const State &old, State &now)
+    {
+      const std::vector<double> target = impose(problem.supports, problem.mesh, now.u, now.time);
+      if (problem.supports.all_held())
+      {
+        now.u = target;
+        return assemble(problem, old, now, nullptr);
+      }
+      Tangent tangent;
+      tangent.system = &system;
+      tangent.jump.resize(target.size());
+      for (std::size_t k = 0; k < target.size(); ++k)
+        tangent.jump[k] = target[k] - now.u[k];
+      if (!assemble(problem, old, now, &tangent))
+        return false;
+      const std::vector<double> step = correction(problem, system, now, tangent);
+      for (std::size_t k = 0; k < target.size(); ++k)
+        now.u[k] = problem.supports.is_held[k] ? target[k] : now.u[k] + step[k];
+      return assemble(problem, old, now, nullptr);
+    }
+  } // namespace
+
+  NewtonReport find_equilibrium(const Problem &problem, LinearSystem &system, const State &old,
+                                State &now)
+  {
+    NewtonReport report;
+    try
+    {
+      if (!predict(problem, system, old, now))
+      {
+        report.trouble = "an element folds in the first correction";
+        return report;
+      }
+      Tangent tangent;
+      tangent.system = &system;
+      for (report.iterations = 1; report.iterations <= most_iterations; ++report.iterations)
+      {
+        const Balance balance = balance_of(problem, old, now);
+        report.residuals.push_back(balance.free / std::max(balance.scale, balance.rounding));
+        report.worst_unknown = balance.worst;
+        if (!std::isfinite(balance.free))
+          break;
+        if (balance.free <= std::max(problem.tolerance * balance.scale, balance.rounding))
+        {
+          report.converged = true;
+          now.force_scale = balance.scale;
+          return report;
+        }
+        if (!assemble(problem, old, now, &tangent) ||
+            !search(problem, old, now, correction(problem, system, now, tangent), balance.free))
+        {
+          report.trouble = "an element folds";
+          return report;
+        }
+      }
+      report.trouble = "no equilibrium within " + std::to_string(most_iterations) +
+                       " iterations (residual " + std::to_string(report.residuals.back()) +
+                       " of the largest force)";
+    }
+    catch (const std::runtime_error &error)
+    {
+      report.trouble = error.what();
+    }
+    return report;
+  }
+} // namespace fe

@@ -1,0 +1,224 @@
+#include "observer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "scene/geometry.h"
+#include "scene/schedule.h"
+
+namespace fe
+{
+  namespace
+  {
+    std::vector<std::string> names_of(const scene::Probe &probe)
+    {
+      if (!probe.of.empty())
+        return probe.of;
+      return {"von_mises", "plastic_strain", "pressure", "stress_xx",      "stress_yy",
+              "stress_zz", "stress_xy",      "jacobian", "displacement_x", "displacement_y"};
+    }
+
+    std::vector<scene::Probe> unasked_reactions(const scene::Scene &scene)
+    {
+      std::vector<scene::Probe> probes;
+      for (const scene::Support &support : scene.supports)
+      {
+        const bool asked = std::any_of(scene.probes.begin(), scene.probes.end(),
+                                       [&](const scene::Probe &probe)
+                                       {
+                                         const auto *reaction =
+                                             std::get_if<scene::ReactionProbe>(&probe.kind);
+                                         return reaction && reaction->support == support.name;
+                                       });
+        if (asked)
+          continue;
+        scene::Probe probe;
+        probe.name = "reaction " + support.name;
+        probe.kind = scene::ReactionProbe{support.name};
+        probes.push_back(probe);
+      }
+      return probes;
+    }
+
+    struct Stopwatch
+    {
+      double &wall, &cpu;
+      double wall_start = record::wall_seconds(), cpu_start = record::cpu_seconds();
+      ~Stopwatch()
+      {
+        wall += record::wall_seconds() - wall_start;
+        cpu += record::cpu_seconds() - cpu_start;
+      }
+    };
+  } // namespace
+
+  Observer::Observer(const scene::Scene &scene_, const Problem &problem_, record::Writer *writer_)
+      : scene(scene_), problem(problem_), writer(writer_), own(unasked_reactions(scene_)),
+        tolerance(1e-9 * scene_.clock.end)
+  {
+    const scene::Box box = scene::bounding_box(scene.bodies);
+    default_bin = (box.upper[0] - box.lower[0]) / 20.;
+    const auto watch = [this](const scene::Probe &probe)
+    {
+      watches.push_back({&probe, scene::sample_times(probe, scene.clock.end)});
+      const std::vector<double> &times = watches.back().times;
+      events.insert(events.end(), times.begin(), times.end());
+    };
+    std::for_each(scene.probes.begin(), scene.probes.end(), watch);
+    std::for_each(own.begin(), own.end(), watch);
+    std::sort(events.begin(), events.end());
+    events.erase(std::unique(events.begin(), events.end(),
+                             [this](const double a, const double b) { return b - a <= tolerance; }),
+                 events.end());
+  }
+
+  bool Observer::due(const Watch &watch, const double time) const
+  {
+    return std::any_of(watch.times.begin(), watch.times.end(),
+                       [&](const double sample) { return std::abs(sample - time) <= tolerance; });
+  }
+
+  void Observer::observe(const Step &step)
+  {
+    const Stopwatch stopwatch{wall, cpu};
+    watch_folding(step);
+    energy_row(step);
+    std::unique_ptr<Snapshot> body; // only if some probe needs the whole body
+    for (const Watch &watch : watches)
+    {
+      if (!due(watch, step.state.time))
+        continue;
+      if (const auto *reaction = std::get_if<scene::ReactionProbe>(&watch.probe->kind))
+        reaction_row(watch.probe->name, reaction->support, step.state);
+      else if (std::holds_alternative<scene::HistoryProbe>(watch.probe->kind))
+        history_row(watch.probe->name, step);
+      else
+      {
+        if (!body)
+          body = std::make_unique<Snapshot>(look(problem, step.state, step.before));
+        look_at(*watch.probe, *body, step.state);
+      }
+    }
+  }
+
+  void Observer::observe_last(const Step &step)
+  {
+    const Stopwatch stopwatch{wall, cpu};
+    const Snapshot body = look(problem, step.state, step.before);
+    for (const Watch &watch : watches)
+      if (!due(watch, step.state.time) &&
+          !std::holds_alternative<scene::ReactionProbe>(watch.probe->kind) &&
+          !std::holds_alternative<scene::HistoryProbe>(watch.probe->kind))
+        look_at(*watch.probe, body, step.state);
+  }
+
+  void Observer::watch_folding(const Step &step)
+  {
+    double smallest = 1.;
+    const std::vector<char> folded = folded_cells(problem, step.state.u, smallest);
+    smallest_nodal = smallest;
+    folded_now = static_cast<int>(std::count(folded.begin(), folded.end(), 1));
+    if (folded_now == 0 || !folding.empty())
+      return;
+    const auto cell = static_cast<int>(std::find(folded.begin(), folded.end(), 1) - folded.begin());
+    Point X = Point::Zero();
+    for (int a = 0; a < 4; ++a)
+      X += 0.25 * problem.mesh.position[problem.mesh.nodes_of(cell)[a]];
+    std::ostringstream text;
+    text << "t = " << step.state.time << ", cell at X = (" << X[0] << ", " << X[1] << ")";
+    folding = text.str();
+  }
+
+  void Observer::history_row(const std::string &name, const Step &step)
+  {
+    if (!writer)
+      return;
+    const bool si = scene.units == scene::Units::si;
+    const std::string energy = si ? "J/m" : "sigma_Y*W0^2";
+    const Energies &e = step.pace.energies;
+    double area = 0.;
+    const Discretisation &d = problem.mesh;
+    for (const BoundarySide &side : d.boundary) // area by Green's theorem over the outline
+      for (int k = 0; k < d.degree; ++k)
+      {
+        const auto at = [&](const int node) {
+          return Point(d.position[node] +
+                       Point(step.state.u[2 * node], step.state.u[2 * node + 1]));
+        };
+        const Point a = at(side.node[k]), b = at(side.node[k + 1]);
+        area += 0.5 * (a[0] * b[1] - a[1] * b[0]);
+        if (d.degree == 2 && k == 0) // the two arcs between chords and parabola
+        {
+          const Point c = at(side.node[2]);
+          const Point ab = b - a, ac = c - a;
+          area += (ab[0] * ac[1] - ab[1] * ac[0]) / 6.;
+        }
+      }
+    writer->table(
+        name,
+        {{"external_work", "internal_work", "elastic_energy", "plastic_work", "smallest_jacobian",
+          "smallest_nodal_jacobian", "folded_cells", "area", "load_factor", "newton_iterations",
+          "residual"},
+         {energy, energy, energy, energy, "1", "1", "1", si ? "m^2" : "W0^2", "1", "1", "1"}},
+        step.state.time,
+        {e.external, e.elastic + e.plastic, e.elastic, e.plastic, step.state.smallest_jacobian,
+         smallest_nodal, static_cast<double>(folded_now), area, step.state.time / scene.clock.end,
+         static_cast<double>(step.newton.iterations),
+         step.newton.residuals.empty() ? 0. : step.newton.residuals.back()});
+  }
+
+  void Observer::energy_row(const Step &step)
+  {
+    history_row("energy", step);
+  }
+
+  void Observer::reaction_row(const std::string &name, const std::string &support,
+                              const State &state)
+  {
+    if (!writer)
+      return;
+    for (const Supports::Held &held : problem.supports.held)
+    {
+      if (held.name != support)
+        continue;
+      std::vector<double> row(4, 0.);
+      for (int c = 0; c < 2; ++c)
+      {
+        for (const int n : held.nodes[c])
+          row[c] += state.internal[2 * n + c] - state.external[2 * n + c];
+        for (const int n : held.all_nodes)
+          row[2 + c] += state.u[2 * n + c] / static_cast<double>(held.all_nodes.size());
+      }
+      const bool si = scene.units == scene::Units::si;
+      const std::string force = si ? "N/m" : "sigma_Y*W0", length = si ? "m" : "W0";
+      writer->table(name,
+                    {{"force_x", "force_y", "displacement_x", "displacement_y"},
+                     {force, force, length, length}},
+                    state.time, row);
+      return;
+    }
+  }
+
+  void Observer::look_at(const scene::Probe &probe, const Snapshot &body, const State &state)
+  {
+    if (!writer)
+      return;
+    const std::vector<std::string> names = names_of(probe);
+    const record::Columns columns = columns_of(names, scene.units);
+    if (const auto *line = std::get_if<scene::LineProbe>(&probe.kind))
+      writer->line(probe.name, columns, state.time, sample_line(body, *line, names, default_bin));
+    else if (const auto *point = std::get_if<scene::PointProbe>(&probe.kind))
+      writer->table(probe.name, columns, state.time,
+                    values_at(body, point->at, point->frame, names));
+    else if (const auto *region = std::get_if<scene::RegionProbe>(&probe.kind))
+      writer->table(probe.name, columns, state.time, region_means(body, *region, names));
+    else if (const auto *outline = std::get_if<scene::OutlineProbe>(&probe.kind))
+    {
+      if (outline->of == scene::OutlineProbe::Of::material)
+        writer->outline(probe.name, state.time, outlines(body));
+    }
+    else if (std::holds_alternative<scene::SnapshotProbe>(probe.kind))
+      writer->snapshot(probe.name, state.time, cell_snapshot(body, names));
+  }
+} // namespace fe

@@ -1,0 +1,64 @@
+// The verb "observe" for the finite elements: probes, reactions and energies into the record.
+//
+// Rows stand at the times of scene::sample_times, which the march meets exactly, so that both
+// solvers' tables have the same rows; the table "energy" has one row per load step. Only process 0
+// writes; all take part in gathering.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "load_stepping.h"
+#include "record/writer.h"
+#include "sampling.h"
+
+namespace fe
+{
+  class Observer
+  {
+  public:
+    /// `writer` is null on all processes but 0. All must outlive the observer.
+    Observer(const scene::Scene &, const Problem &, record::Writer *writer);
+
+    /// All times at which some probe looks, sorted.
+    const std::vector<double> &times() const { return events; }
+    /// Record what is due at the end of this step. Every process must call it.
+    void observe(const Step &);
+    /// Record every probe that looks at single instants once more, whatever the time: the last good
+    /// state of a run that ends early. Every process must call it.
+    void observe_last(const Step &);
+
+    /// Where and when the mesh first folded at a node, as text; empty if it did not.
+    const std::string &first_folding() const { return folding; }
+    double smallest_nodal_jacobian() const { return smallest_nodal; }
+    int folded_cells_at_end() const { return folded_now; }
+    double wall_seconds() const { return wall; }
+    double cpu_seconds() const { return cpu; }
+
+  private:
+    struct Watch
+    {
+      const scene::Probe *probe;
+      std::vector<double> times;
+    };
+    bool due(const Watch &, double time) const;
+    void energy_row(const Step &);
+    void watch_folding(const Step &);
+    void look_at(const scene::Probe &, const Snapshot &, const State &);
+    void reaction_row(const std::string &name, const std::string &support, const State &);
+    void history_row(const std::string &name, const Step &);
+
+    const scene::Scene &scene;
+    const Problem &problem;
+    record::Writer *writer;
+    std::vector<scene::Probe> own; // reactions that no probe asks for
+    std::vector<Watch> watches;
+    std::vector<double> events;
+    double tolerance, default_bin;
+    std::string folding;
+    double smallest_nodal = 1.;
+    int folded_now = 0;
+    double wall = 0., cpu = 0.;
+  };
+} // namespace fe

@@ -1,0 +1,210 @@
+#include "run.h"
+
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <stdexcept>
+
+#include "banner.h"
+#include "observer.h"
+#include "plan.h"
+#include "record/progress.h"
+#include "state_checkpoint.h"
+
+namespace fe
+{
+  namespace
+  {
+    constexpr double seconds_between_checkpoints = 300.;
+
+    Problem make_problem(const scene::Scene &scene, const QuadMesh &mesh, const int threads)
+    {
+      const scene::Fe settings = scene.fe.value_or(scene::Fe{});
+      Problem problem;
+      problem.mesh = discretise(mesh, settings.degree);
+      problem.material = make_material(scene.solid->young_modulus, scene.solid->poisson_ratio);
+      problem.material.yield_stress = scene.solid->yield_stress;
+      problem.material.viscosity = scene.solid->viscosity.value_or(0.);
+      problem.material.density = scene.solid->density;
+      problem.supports = make_supports(scene, problem.mesh);
+      problem.loads = make_loads(scene, problem.mesh);
+      problem.tolerance = settings.tolerance;
+      problem.threads = threads;
+      return problem;
+    }
+
+    // Everything of one run that outlives its functions.
+    struct Run
+    {
+      const scene::Scene &scene;
+      const record::CommandLine &command;
+      double wall_start = record::wall_seconds();
+      double setup_wall = 0., setup_cpu = 0.;
+      std::unique_ptr<record::Writer> writer = nullptr; // process 0 only
+      bool first = process_number() == 0;
+
+      std::string checkpoint_path() const
+      {
+        return command.output + "/" + command.record + ".checkpoint.h5";
+      }
+      void open_record(const std::optional<double> &resumed_at);
+      record::Profile profile(const Problem &, const LinearSystem &, const Observer &,
+                              const Pace &) const;
+      int conclude(const Problem &, const LinearSystem &, Observer &, const Outcome &);
+    };
+
+    // Process 0 opens it; all learn whether it could, lest the others wait for ever.
+    void Run::open_record(const std::optional<double> &resumed_at)
+    {
+      std::string trouble;
+      if (first)
+        try
+        {
+          std::filesystem::create_directories(command.output);
+          auto provenance = record::collect("fe_reference", command.joined, command.threads);
+          provenance["processes"] = std::to_string(number_of_processes());
+          if (resumed_at)
+            writer = std::make_unique<record::Writer>(command.record_path(), provenance, scene,
+                                                      record::Writer::Resume{*resumed_at});
+          else
+            writer = std::make_unique<record::Writer>(command.record_path(), provenance, scene,
+                                                      command.force);
+        }
+        catch (const std::exception &error)
+        {
+          trouble = error.what();
+        }
+      if (sum_over_processes(trouble.empty() ? 0. : 1.) > 0.)
+        throw std::runtime_error(first ? trouble : "process 0 could not open the record");
+    }
+
+    record::Profile Run::profile(const Problem &problem, const LinearSystem &system,
+                                 const Observer &observer, const Pace &pace) const
+    {
+      const double wall = record::wall_seconds() - wall_start, cpu = record::cpu_seconds();
+      record::Profile profile;
+      profile.parts = {{"set-up", setup_wall, setup_cpu, 1},
+                       {"solve", wall - setup_wall - observer.wall_seconds(),
+                        cpu - setup_cpu - observer.cpu_seconds(), pace.steps},
+                       {"output", observer.wall_seconds(), observer.cpu_seconds(), 1},
+                       {"factorisations", system.factorisation_seconds(),
+                        system.factorisation_cpu_seconds(), system.factorisations()}};
+      profile.numbers = {{"steps", pace.steps},
+                         {"retries", pace.retries},
+                         {"newton_iterations", pace.iterations},
+                         {"cells", problem.mesh.cells},
+                         {"points", problem.mesh.cells * problem.mesh.points_per_cell},
+                         {"unknowns", problem.mesh.unknowns()},
+                         {"processes", number_of_processes()},
+                         {"wall_s", wall},
+                         {"cpu_s", cpu},
+                         {"peak_rss_bytes", record::peak_rss_bytes()}};
+      return profile;
+    }
+
+    int Run::conclude(const Problem &problem, const LinearSystem &system, Observer &observer,
+                      const Outcome &outcome)
+    {
+      const bool diverged = outcome.kind == Outcome::Kind::diverged;
+      if (outcome.last.time < scene.clock.end * (1. - 1e-9) ||
+          outcome.last.time > scene.clock.end * (1. + 1e-9))
+        observer.observe_last({outcome.last, outcome.last, outcome.pace, {}});
+      if (!first)
+        return diverged ? record::numerical_trouble : record::all_right;
+      writer->attribute("largest_load_factor", outcome.last.time / scene.clock.end);
+      writer->attribute("smallest_jacobian", outcome.last.smallest_jacobian);
+      writer->attribute("smallest_nodal_jacobian", observer.smallest_nodal_jacobian());
+      writer->attribute("folded_cells", static_cast<double>(observer.folded_cells_at_end()));
+      writer->attribute("first_folding", observer.first_folding());
+      writer->attribute("linear_solver", system.solver_name());
+      if (!observer.first_folding().empty())
+        std::cerr << "fe_reference: the mesh folds at a node from " << observer.first_folding()
+                  << "; " << observer.folded_cells_at_end() << " of " << problem.mesh.cells
+                  << " cells are marked invalid at the end\n";
+      if (!outcome.message.empty())
+      {
+        writer->attribute("ended_by", outcome.message);
+        std::cerr << "fe_reference: " << outcome.message << "\nrepeat with: " << command.joined
+                  << '\n';
+      }
+      writer->finish(profile(problem, system, observer, outcome.pace),
+                     diverged ? "failed: " + outcome.message : "complete");
+      std::filesystem::remove(checkpoint_path());
+      std::cout << command.record_path() << ": " << (diverged ? "failed" : "complete") << ", "
+                << outcome.pace.steps << " steps, " << outcome.pace.iterations
+                << " iterations, largest load factor " << outcome.last.time / scene.clock.end
+                << ", smallest Jacobian " << outcome.last.smallest_jacobian << '\n';
+      return diverged ? record::numerical_trouble : record::all_right;
+    }
+  } // namespace
+
+  int show_plan(const scene::Scene &scene)
+  {
+    refuse_active_sections(scene);
+    const Plan plan = make_plan(make_mesh(scene), scene);
+    if (process_number() == 0)
+      std::cout << banner(scene) << describe(plan);
+    return record::all_right;
+  }
+
+  int run(const scene::Scene &scene, const record::CommandLine &command,
+          const std::function<bool()> &stop_asked)
+  {
+    refuse_active_sections(scene);
+    Run run{scene, command};
+    if (run.first)
+      std::cerr << banner(scene);
+    const Problem problem = make_problem(scene, make_mesh(scene), command.threads);
+    LinearSystem system(problem.mesh);
+
+    std::optional<Saved> saved;
+    if (command.resume && std::filesystem::exists(run.checkpoint_path()))
+      saved = load(run.checkpoint_path(), scene, problem);
+    run.open_record(saved ? std::optional<double>(saved->state.time) : std::nullopt);
+    Observer observer(scene, problem, run.writer.get());
+    run.setup_wall = record::wall_seconds() - run.wall_start;
+    run.setup_cpu = record::cpu_seconds();
+
+    const double begin = saved ? saved->state.time : 0.;
+    record::Progress progress(std::cerr, record::Progress::style_of_stderr(!run.first),
+                              "fe_reference " + scene.title, begin, scene.clock.end);
+    double last_checkpoint = record::wall_seconds();
+    const auto checkpoint = [&](const State &state, const Pace &pace)
+    {
+      if (run.writer)
+        run.writer->flush();
+      save(run.checkpoint_path(), scene, problem, state, pace);
+      last_checkpoint = record::wall_seconds();
+    };
+
+    Course course;
+    course.end = scene.clock.end;
+    course.load_steps = scene.fe.value_or(scene::Fe{}).load_steps;
+    course.sampling_times = observer.times();
+    course.until_folding = scene.fe && scene.fe->past_folding;
+    course.interrupted = [&] { return sum_over_processes(stop_asked() ? 1. : 0.) > 0.; };
+    course.observe = [&](const Step &step)
+    {
+      observer.observe(step);
+      progress.update(step.state.time, "step " + std::to_string(step.pace.steps) + ", " +
+                                           std::to_string(step.newton.iterations) +
+                                           " iterations, smallest Jacobian " +
+                                           std::to_string(step.state.smallest_jacobian));
+      const double waited = record::wall_seconds() - last_checkpoint;
+      if (-minimum_over_processes(-waited) > seconds_between_checkpoints)
+        checkpoint(step.state, step.pace);
+    };
+
+    Outcome outcome =
+        saved ? follow(problem, system, std::move(saved->state), course, std::move(saved->pace))
+              : follow(problem, system, initial_state(problem, scene), course);
+    if (outcome.kind == Outcome::Kind::interrupted)
+    {
+      checkpoint(outcome.last, outcome.pace);
+      progress.finish("interrupted; go on with --resume");
+      return record::interrupted;
+    }
+    progress.finish(outcome.kind == Outcome::Kind::complete ? "done" : "failed");
+    return run.conclude(problem, system, observer, outcome);
+  }
+} // namespace fe

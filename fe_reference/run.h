@@ -1,0 +1,19 @@
+// One run from scene to record: set up, march, observe, finish, whatever the outcome.
+#pragma once
+
+#include <functional>
+
+#include "record/command_line.h"
+#include "scene/scene.h"
+
+namespace fe
+{
+  /// Print what a run would take and stop.
+  int show_plan(const scene::Scene &);
+
+  /// Returns the exit code: all_right, numerical_trouble (the last good state is in the record) or
+  /// interrupted (a checkpoint is beside the unfinished record). `stop_asked`: by a signal to this
+  /// process. Throws scene::BadScene, std::runtime_error for records that cannot be written.
+  int run(const scene::Scene &, const record::CommandLine &,
+          const std::function<bool()> &stop_asked);
+} // namespace fe

@@ -1,0 +1,37 @@
+// Which displacements are held, where, and how they move.
+//
+// A support on an edge or a segment holds the nodes of the outline that lie on it at the start; a
+// support on a region holds every node that starts inside (a grip). Each component is held or free
+// by itself; where two supports claim the same one, the first in the scene holds it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "discretisation.h"
+#include "scene/expression.h"
+
+namespace fe
+{
+  struct Supports
+  {
+    struct Held
+    {
+      std::string name;
+      std::array<std::vector<int>, 2> nodes; // by component
+      std::vector<int> all_nodes;            // all that the support names, held or not
+      std::array<std::optional<scene::Function>, 2> displacement;
+    };
+    std::vector<Held> held;
+    std::vector<char> is_held; // unknowns
+
+    bool all_held() const;
+  };
+
+  /// Throws scene::BadScene if a support holds no node.
+  Supports make_supports(const scene::Scene &, const Discretisation &);
+
+  /// Displacements `u` (unknowns) with the held ones set to their values at time `t`.
+  std::vector<double> impose(const Supports &, const Discretisation &, std::vector<double> u,
+                             double t);
+} // namespace fe
