@@ -39,7 +39,7 @@ namespace
   {
     const auto carried = [&](const std::string &name, auto &field)
     {
-      visit(name, field.value);
+      visit(name + "/value", field.value);
       visit(name + "/x", field.gradients.x);
       visit(name + "/y", field.gradients.y);
       visit(name + "/xy", field.gradients.xy);
@@ -52,7 +52,8 @@ namespace
     if (world.orientation)
     {
       auto &o = *world.orientation;
-      visit("angle", o.angle), visit("angle/cosine", o.cosine), visit("angle/sine", o.sine);
+      visit("angle/value", o.angle);
+      visit("angle/cosine", o.cosine), visit("angle/sine", o.sine);
       visit("angle/x", o.gradients.x), visit("angle/y", o.gradients.y);
       visit("angle/xy", o.gradients.xy), visit("angle/last", o.gradients.last);
     }
