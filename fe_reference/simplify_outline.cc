@@ -13,8 +13,7 @@ namespace fe
     {
       const Point along = b - a;
       const double squared = along.squaredNorm();
-      const double s =
-          squared > 0. ? std::min(1., std::max(0., (p - a).dot(along) / squared)) : 0.;
+      const double s = squared > 0. ? std::min(1., std::max(0., (p - a).dot(along) / squared)) : 0.;
       return (p - a - s * along).norm();
     }
 
@@ -25,14 +24,14 @@ namespace fe
       double farthest = tolerance;
       std::size_t split = first;
       for (std::size_t k = first + 1; k < last; ++k)
+      {
+        const double distance = distance_to_segment(open[k], open[first], open[last]);
+        if (distance > farthest)
         {
-          const double distance = distance_to_segment(open[k], open[first], open[last]);
-          if (distance > farthest)
-            {
-              farthest = distance;
-              split = k;
-            }
+          farthest = distance;
+          split = k;
         }
+      }
       if (split == first)
         return;
       kept[split] = 1;

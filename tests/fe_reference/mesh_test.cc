@@ -1,0 +1,108 @@
+// Meshes of the shapes that scenes know.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "fe_reference/mesh.h"
+#include "scene/reader.h"
+#include "small_scenes.h"
+
+namespace
+{
+  double area_of(const fe::QuadMesh &mesh)
+  {
+    double area = 0.;
+    for (const auto &cell : mesh.cells)
+      for (int k = 0; k < 4; ++k)
+      {
+        const fe::Point &a = mesh.vertices[cell[k]], &b = mesh.vertices[cell[(k + 1) % 4]];
+        area += 0.5 * (a[0] * b[1] - a[1] * b[0]);
+      }
+    return area;
+  }
+
+  double smallest_corner(const fe::QuadMesh &mesh)
+  {
+    double smallest = std::numeric_limits<double>::infinity();
+    for (const auto &cell : mesh.cells)
+      for (int k = 0; k < 4; ++k)
+      {
+        const fe::Point a = mesh.vertices[cell[(k + 1) % 4]] - mesh.vertices[cell[k]],
+                        b = mesh.vertices[cell[(k + 3) % 4]] - mesh.vertices[cell[k]];
+        smallest = std::min(smallest, a[0] * b[1] - a[1] * b[0]);
+      }
+    return smallest;
+  }
+
+  scene::Body disc(const double radius)
+  {
+    scene::Body body;
+    body.shape = scene::Disc{{1., 2.}, radius};
+    return body;
+  }
+} // namespace
+
+TEST(RectangleMesh, FillsTheDogboneWithThePapersCells)
+{
+  // Grips 4 x 1, gauge 2 x 5, cells of 0.5: 16 + 40 + 16.
+  const std::vector<scene::Body> dogbone{fe_test::rectangle(0., 0., 4., 1.),
+                                         fe_test::rectangle(1., 1., 2., 5.),
+                                         fe_test::rectangle(0., 6., 4., 1.)};
+  const fe::QuadMesh mesh = fe::mesh_rectangles(dogbone, {8, 14}, 0., {});
+  EXPECT_EQ(mesh.cells.size(), 72u);
+  EXPECT_NEAR(area_of(mesh), 18., 1e-12);
+}
+
+TEST(RectangleMesh, OverlappingRectanglesAreMeshedOnce)
+{
+  const fe::QuadMesh mesh = fe::mesh_rectangles(
+      {fe_test::rectangle(0., 0., 2., 1.), fe_test::rectangle(1., 0.5, 2., 1.)}, {6, 3}, 0., {});
+  EXPECT_NEAR(area_of(mesh), 2. + 2. - 0.5, 1e-12);
+}
+
+TEST(RectangleMesh, GradingCrowdsLinesAtHeldCornersOnly)
+{
+  const std::vector<scene::Body> beam{fe_test::rectangle(0., 0., 8., 1.)};
+  const fe::QuadMesh mesh = fe::mesh_rectangles(
+      beam, {16, 4}, 0.5, {fe_test::support("root", scene::Edge::left, "0", "0")});
+  double nearest = 8., last = 0.;
+  for (const fe::Point &p : mesh.vertices)
+  {
+    if (p[0] > 0.)
+      nearest = std::min(nearest, p[0]);
+    if (p[0] < 8. - 1e-9)
+      last = std::max(last, p[0]);
+  }
+  EXPECT_NEAR(nearest, 8. * std::pow(1. / 16., 2.), 1e-12); // s^(1/(1 - 0.5))
+  EXPECT_NEAR(last, 8. * std::pow(15. / 16., 2.), 1e-12);
+  EXPECT_NEAR(area_of(mesh), 8., 1e-12);
+}
+
+TEST(OutlineMesh, FillsADiscWithConvexQuadrilaterals)
+{
+  const fe::QuadMesh mesh = fe::mesh_outline({disc(0.5)}, {0.05, 0.05});
+  EXPECT_GT(mesh.cells.size(), 200u);
+  EXPECT_GT(smallest_corner(mesh), 0.);
+  EXPECT_NEAR(area_of(mesh), M_PI * 0.25, 0.01 * M_PI * 0.25);
+}
+
+TEST(OutlineMesh, LeavesTheHoleOfARingOpen)
+{
+  scene::Body ring;
+  ring.shape = scene::Ring{{0., 0.}, 0.4, 1.};
+  const fe::QuadMesh mesh = fe::mesh_outline({ring}, {0.1, 0.1});
+  EXPECT_GT(smallest_corner(mesh), 0.);
+  EXPECT_NEAR(area_of(mesh), M_PI * (1. - 0.16), 0.02 * M_PI);
+  for (const fe::Point &p : mesh.vertices)
+    EXPECT_GT(p.norm(), 0.39);
+}
+
+TEST(Mesh, RefusesMaterialWithoutSupport)
+{
+  scene::Scene scene = fe_test::solid_scene(1e6, {6, 2}, 1, 1);
+  scene.bodies = {fe_test::rectangle(0., 0., 1., 1.), fe_test::rectangle(2., 0., 1., 1.)};
+  scene.supports = {fe_test::support("left", scene::Edge::left, "0", "0")};
+  EXPECT_THROW(fe::make_mesh(scene), scene::BadScene);
+}
