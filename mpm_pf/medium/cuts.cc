@@ -121,20 +121,16 @@ namespace medium
   template void fill_behind(Field<float> &, const Cuts &, const Mesh &, Parity);
 
   template <class T>
-  void fill_next_row(Field<T> &field, const Cuts &cuts, int nx)
+  void fill_next_row(Field<T> &field, const Cut &cut, Edge edge, int nx)
   {
-    for (const Edge edge : {Edge::bottom, Edge::top})
-      if (const auto &cut = cuts.at(edge))
-      {
-        const int outward = edge == Edge::top ? 1 : -1;
-        const T share = static_cast<T>(cut->share());
-        const T *last = field.row(cut->last), *before = field.row(cut->last - outward);
-        T *behind = field.row(cut->last + outward);
-        for (int i = -1; i <= nx; ++i)
-          behind[i] = last[i] + share * (before[i] - last[i]);
-      }
+    const int outward = edge == Edge::top ? 1 : -1;
+    const T share = static_cast<T>(cut.share());
+    const T *last = field.row(cut.last), *before = field.row(cut.last - outward);
+    T *behind = field.row(cut.last + outward);
+    for (int i = -1; i <= nx; ++i)
+      behind[i] = last[i] + share * (before[i] - last[i]);
   }
 
-  template void fill_next_row(Field<double> &, const Cuts &, int);
-  template void fill_next_row(Field<float> &, const Cuts &, int);
+  template void fill_next_row(Field<double> &, const Cut &, Edge, int);
+  template void fill_next_row(Field<float> &, const Cut &, Edge, int);
 } // namespace medium

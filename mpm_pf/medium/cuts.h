@@ -67,10 +67,10 @@ namespace medium
   template <class T>
   void fill_behind(Field<T> &, const Cuts &, const Mesh &, Parity parity = Parity::even);
 
-  /// Only the next line behind a cut row (bottom, top), ghost columns -1 and nx included: what a
-  /// sweep of 3 x 3 stencils reads.
+  /// Only the next row behind the cut at the bottom or top, ghost columns -1 and nx included: what
+  /// a sweep of 3 x 3 stencils reads.
   template <class T>
-  void fill_next_row(Field<T> &, const Cuts &, int nx);
+  void fill_next_row(Field<T> &, const Cut &, Edge, int nx);
   /// Only the next node behind the cut columns (left, right) of one row.
   template <class T>
   void fill_next_columns(T *row, const Cuts &cuts)

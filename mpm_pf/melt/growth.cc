@@ -123,7 +123,7 @@ namespace melt
     if (fields.orientation && fields.orientation->varying())
       angle = {&fields.orientation->cosine, &fields.orientation->sine};
     std::get<Sweep<double>>(sweep).run(
-        {fields.phi, fields.theta, angle, fields.noise, h},
+        {fields.phi, fields.theta, angle, fields.noise, h, fields.cuts},
         coefficients<double>(grid, parameters, options.laplacian, h, fields.orientation), taken,
         steps);
   }
@@ -145,7 +145,7 @@ namespace melt
       angle = {copy(&fields.orientation->cosine, copies.cosine),
                copy(&fields.orientation->sine, copies.sine)};
     std::get<Sweep<float>>(sweep).run(
-        {phi, theta, angle, fields.noise, h},
+        {phi, theta, angle, fields.noise, h, fields.cuts},
         coefficients<float>(grid, parameters, options.laplacian, h, fields.orientation), taken,
         steps);
     if (phi)

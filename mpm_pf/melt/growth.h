@@ -40,12 +40,14 @@ namespace melt
     Growth(const Mesh &, const Law &, const GrowthOptions &, double undercooling);
 
     /// The fields that advance() advances. theta null: growth by curvature alone. phi null: heat
-    /// alone. orientation null: crystal angle zero. noise null: none.
+    /// alone. orientation null: crystal angle zero. noise null: none. cuts null: no walls have
+    /// moved in; else nodes behind them rest, and no heat or phase passes the walls' true places.
     struct Fields
     {
       Field<double> *phi = nullptr, *theta = nullptr;
       const Orientation *orientation = nullptr;
       const Noise *noise = nullptr;
+      const medium::Cuts *cuts = nullptr;
     };
 
     /// The smaller of the two limits, time. Any step up to it is stable.

@@ -120,9 +120,41 @@ namespace melt
     }
   }
 
-  template <class Real>
-  void Noise::add_rows(Field<Real> &theta, int first, int end, long step, double h) const
+  namespace
   {
+    /// Factor on currents along a line of nodes whose faces a wall has changed to size m.
+    float width_at(const medium::Cut &cut)
+    {
+      return static_cast<float>(1. / std::sqrt(cut.size()));
+    }
+
+    /// Takes back what came through walls at the left and right of a row, and divides by their
+    /// cells.
+    template <class Real, class Through>
+    void stop_at_columns(Real *row, const medium::Cuts &walls, Real wide, const Through &through)
+    {
+      if (const auto &left = walls.at(Edge::left))
+      {
+        const auto i = static_cast<std::size_t>(left->last);
+        row[i] += wide * ((1 - Real(1. / left->size())) * through(i + 1) - through(i));
+      }
+      if (const auto &right = walls.at(Edge::right))
+      {
+        const auto i = static_cast<std::size_t>(right->last);
+        row[i] += wide * (through(i + 1) - (1 - Real(1. / right->size())) * through(i));
+      }
+    }
+  } // namespace
+
+  template <class Real>
+  void Noise::add_rows(Field<Real> &theta, int first, int end, long step, double h,
+                       const medium::Cuts *cuts) const
+  {
+    const medium::Cuts none, &walls = cuts ? *cuts : none;
+    std::vector<float> width = axis[0].width;
+    for (const Edge edge : {Edge::left, Edge::right})
+      if (const auto &cut = walls.at(edge))
+        width[static_cast<std::size_t>(cut->last)] = width_at(*cut);
     const auto nx = static_cast<std::size_t>(mesh.nodes[0]);
     const auto drawn = static_cast<std::size_t>(axis[0].drawn);
     const double dx = mesh.spacing[0], dy = mesh.spacing[1];
@@ -136,7 +168,7 @@ namespace melt
     {
       const float sign = axis[1].sign[static_cast<std::size_t>(face)];
       for (std::size_t i = 0; i < nx; ++i)
-        target[i] = sign * axis[0].width[i] * y[static_cast<std::size_t>(axis[0].node[i])];
+        target[i] = sign * width[i] * y[static_cast<std::size_t>(axis[0].node[i])];
     };
     draw(axis[1].face[static_cast<std::size_t>(first)], step, unused.data(), y.data());
     spread_up(first, below);
@@ -147,18 +179,26 @@ namespace melt
       if (axis[1].face[line + 1] != axis[1].node[line])
         draw(axis[1].face[line + 1], step, unused.data(), y.data());
       spread_up(j + 1, above);
-      const Real wide = along_x * Real(axis[1].width[line]);
+      // A wall lets no current pass: a cell of size m takes that of its inner face, divided by m.
+      Real from_above = along_y, from_below = along_y;
+      float wide_row = axis[1].width[line];
+      if (const auto &low = walls.at(Edge::bottom); low && low->last == j)
+        from_above = along_y / Real(low->size()), from_below = 0, wide_row = width_at(*low);
+      if (const auto &high = walls.at(Edge::top); high && high->last == j)
+        from_below = along_y / Real(high->size()), from_above = 0, wide_row = width_at(*high);
+      const Real wide = along_x * Real(wide_row);
       Real *row = theta.row(j);
+      const auto through = [&](std::size_t face)
+      { return Real(axis[0].sign[face] * x[static_cast<std::size_t>(axis[0].face[face])]); };
       for (std::size_t i = 0; i < nx; ++i)
-      {
-        const float right = axis[0].sign[i + 1] * x[static_cast<std::size_t>(axis[0].face[i + 1])];
-        const float left = axis[0].sign[i] * x[static_cast<std::size_t>(axis[0].face[i])];
-        row[i] -= wide * (Real(right) - Real(left)) + along_y * (Real(above[i]) - Real(below[i]));
-      }
+        row[i] -= wide * (through(i + 1) - through(i)) +
+                  (from_above * Real(above[i]) - from_below * Real(below[i]));
+      stop_at_columns(row, walls, wide, through);
       std::swap(below, above);
     }
   }
 
-  template void Noise::add_rows(Field<double> &, int, int, long, double) const;
-  template void Noise::add_rows(Field<float> &, int, int, long, double) const;
+  template void Noise::add_rows(Field<double> &, int, int, long, double,
+                                const medium::Cuts *) const;
+  template void Noise::add_rows(Field<float> &, int, int, long, double, const medium::Cuts *) const;
 } // namespace melt

@@ -21,7 +21,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "medium/field.h"
+#include "medium/cuts.h"
 
 namespace melt
 {
@@ -47,9 +47,11 @@ namespace melt
     Noise(const Mesh &, const Options &);
 
     /// Adds what the currents of step number `step`, of length `h` (time), carry into the rows
-    /// first <= j < end of theta. Ghosts are not touched.
+    /// first <= j < end of theta. Ghosts are not touched. `cuts`: walls that have moved in (null:
+    /// none); no current passes them, and faces that they have made longer have less variance.
     template <class Real>
-    void add_rows(Field<Real> &theta, int first, int end, long step, double h) const;
+    void add_rows(Field<Real> &theta, int first, int end, long step, double h,
+                  const medium::Cuts *cuts = nullptr) const;
 
   private:
     /// Where the nodes and faces of one axis take their numbers from. Face f lies between nodes

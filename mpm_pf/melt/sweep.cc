@@ -63,14 +63,15 @@ namespace melt
   void Sweep<Real>::run(const Fields &fields, const Coefficients<Real> &k, long first_step,
                         long steps)
   {
+    const medium::Cuts none, &cuts = fields.cuts ? *fields.cuts : none;
     if (fields.phi)
     {
-      medium::fill_ghosts(*fields.phi, mesh);
+      medium::fill_behind(*fields.phi, cuts, mesh);
       spare_phi = *fields.phi;
     }
     if (fields.theta)
     {
-      medium::fill_ghosts(*fields.theta, mesh);
+      medium::fill_behind(*fields.theta, cuts, mesh);
       spare_theta = *fields.theta;
     }
     const Pair pair{{fields.phi, &spare_phi}, {fields.theta, &spare_theta}};
@@ -106,35 +107,68 @@ namespace melt
                                      first_bad_node(*fields.phi, mesh) +
                                      " has left its bounds; is the step past its limit?");
     if (fields.phi)
-      medium::fill_ghosts(*fields.phi, mesh);
+      medium::fill_behind(*fields.phi, cuts, mesh);
     if (fields.theta)
-      medium::fill_ghosts(*fields.theta, mesh);
+      medium::fill_behind(*fields.theta, cuts, mesh);
+  }
+
+  /// Rows of a band between the walls; none (first >= end) where the whole band lies behind one.
+  template <class Real>
+  typename Sweep<Real>::RowRange Sweep<Real>::rows_of(int band, const medium::Cuts *cuts) const
+  {
+    const int first = map.first_row(band), end = map.end_row(band);
+    if (!cuts)
+      return {first, end};
+    return {std::max(first, cuts->first(1)), std::min(end, cuts->end(1, mesh.nodes[1]))};
+  }
+
+  /// The row behind a wall as the last row before it will read it. Only the band that holds this
+  /// last row reads or writes it, so threads do not meet there.
+  template <class Real>
+  void Sweep<Real>::fill_behind_walls(const Fields &fields, const Pair &pair, int old,
+                                      RowRange rows) const
+  {
+    for (const Edge edge : {Edge::bottom, Edge::top})
+    {
+      const auto &cut = fields.cuts->at(edge);
+      if (!cut || cut->last < rows.first || cut->last >= rows.end)
+        continue;
+      if (fields.phi)
+        medium::fill_next_row(*pair.phi[old], *cut, edge, mesh.nodes[0]);
+      if (fields.theta)
+        medium::fill_next_row(*pair.theta[old], *cut, edge, mesh.nodes[0]);
+    }
   }
 
   template <class Real>
   void Sweep<Real>::step_band(const Fields &fields, const Pair &pair, int old,
                               const Coefficients<Real> &k, int band, long step) const
   {
+    const RowRange rows = rows_of(band, fields.cuts);
+    if (rows.first >= rows.end)
+      return;
+    if (fields.cuts)
+      fill_behind_walls(fields, pair, old, rows);
     for (const Run &run : runs[static_cast<std::size_t>(band)])
       if (run.activity == Activity::active && fields.phi)
-        step_active(fields, pair, old, k, run, band);
+        step_active(fields, pair, old, k, run, rows);
       else if (run.activity != Activity::frozen && fields.theta)
-        step_heat(pair, old, k, run, band);
+        step_heat(pair, old, k, run, rows);
     if (fields.noise && fields.theta)
-      fields.noise->add_rows(*pair.theta[1 - old], map.first_row(band), map.end_row(band), step,
-                             fields.step);
-    for (int j = map.first_row(band); j < map.end_row(band); ++j)
+      fields.noise->add_rows(*pair.theta[1 - old], rows.first, rows.end, step, fields.step,
+                             fields.cuts);
+    for (int j = rows.first; j < rows.end; ++j)
     {
       if (fields.phi)
-        finish_row(*pair.phi[1 - old], *pair.phi[old], j);
+        finish_row(*pair.phi[1 - old], *pair.phi[old], j, fields.cuts);
       if (fields.theta)
-        finish_row(*pair.theta[1 - old], *pair.theta[old], j);
+        finish_row(*pair.theta[1 - old], *pair.theta[old], j, fields.cuts);
     }
   }
 
   template <class Real>
   void Sweep<Real>::step_active(const Fields &fields, const Pair &pair, int old,
-                                const Coefficients<Real> &k, Run run, int band) const
+                                const Coefficients<Real> &k, Run run, RowRange rows) const
   {
     const bool varying = fields.angle.cosine != nullptr, heat = fields.theta != nullptr;
     const Field<Real> &phi = *pair.phi[old];
@@ -150,8 +184,8 @@ namespace melt
     const auto update =
         varying ? (heat ? update_row<true, true, Real> : update_row<true, false, Real>)
                 : (heat ? update_row<false, true, Real> : update_row<false, false, Real>);
-    faces_up(map.first_row(band) - 1, flux.below);
-    for (int j = map.first_row(band); j < map.end_row(band); ++j)
+    faces_up(rows.first - 1, flux.below);
+    for (int j = rows.first; j < rows.end; ++j)
     {
       const Rows<Real> here = rows_round(phi, j, run.begin);
       const Angles<Real> angle = angles_at(fields.angle, j, run.begin);
@@ -167,16 +201,17 @@ namespace melt
 
   template <class Real>
   void Sweep<Real>::step_heat(const Pair &pair, int old, const Coefficients<Real> &k, Run run,
-                              int band) const
+                              RowRange rows) const
   {
-    for (int j = map.first_row(band); j < map.end_row(band); ++j)
+    for (int j = rows.first; j < rows.end; ++j)
       diffuse_row(rows_round(*pair.theta[old], j, run.begin), run.end - run.begin, k,
                   pair.theta[1 - old]->row(j) + run.begin);
   }
 
   /// Border values that stay fixed, and the one ghost layer that the next step reads.
   template <class Real>
-  void Sweep<Real>::finish_row(Field<Real> &next, const Field<Real> &last, int j) const
+  void Sweep<Real>::finish_row(Field<Real> &next, const Field<Real> &last, int j,
+                               const medium::Cuts *cuts) const
   {
     const int nx = mesh.nodes[0], ny = mesh.nodes[1];
     const Boundary left = mesh.side(Edge::left), right = mesh.side(Edge::right);
@@ -188,6 +223,8 @@ namespace melt
       row[0] = last.row(j)[0];
     if (right == Boundary::fixed)
       row[nx - 1] = last.row(j)[nx - 1];
+    if (cuts)
+      medium::fill_next_columns(row, *cuts);
     row[-1] = row[medium::source_index(-1, nx, left, right)];
     row[nx] = row[medium::source_index(nx, nx, left, right)];
     for (const int ghost : {-1, ny})

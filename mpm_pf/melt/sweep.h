@@ -11,6 +11,7 @@
 
 #include <vector>
 
+#include "medium/cuts.h"
 #include "medium/tiles.h"
 #include "melt/growth_kernel.h"
 
@@ -45,8 +46,9 @@ namespace melt
     {
       Field<Real> *phi, *theta; // either may be null: an absent equation
       AngleFields<Real> angle;
-      const Noise *noise; // null: none
-      double step;        // its length, time; the noise needs it
+      const Noise *noise;                 // null: none
+      double step;                        // its length, time; the noise needs it
+      const medium::Cuts *cuts = nullptr; // moving walls; null: the domain ends at its borders
     };
     /// `steps` steps with the coefficients of one step; `first_step` numbers them for the noise.
     /// Ghosts are filled before and after. Throws medium::NumericalTrouble where phi stops being
@@ -66,12 +68,18 @@ namespace melt
     {
       Field<Real> *phi[2], *theta[2];
     };
+    struct RowRange
+    {
+      int first, end;
+    };
+    RowRange rows_of(int band, const medium::Cuts *) const;
+    void fill_behind_walls(const Fields &, const Pair &, int old, RowRange) const;
     void step_band(const Fields &, const Pair &, int old, const Coefficients<Real> &, int band,
                    long step) const;
     void step_active(const Fields &, const Pair &, int old, const Coefficients<Real> &, Run,
-                     int band) const;
-    void step_heat(const Pair &, int old, const Coefficients<Real> &, Run, int band) const;
-    void finish_row(Field<Real> &next, const Field<Real> &last, int j) const;
+                     RowRange) const;
+    void step_heat(const Pair &, int old, const Coefficients<Real> &, Run, RowRange) const;
+    void finish_row(Field<Real> &next, const Field<Real> &last, int j, const medium::Cuts *) const;
     bool look_at_band(const Fields &, const Pair &, int now, int band);
     void judge(const Pair &, int now);
     void rest_in_both(const Pair &, int now, int column, int row, medium::Activity) const;
