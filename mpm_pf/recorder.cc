@@ -69,11 +69,26 @@ bool Recorder::due(const std::vector<double> &times, std::size_t &next, const do
   return true;
 }
 
+bool Recorder::reaches_compression(Watch &watch, const World &world) const
+{
+  const auto &wanted = watch.probe->compressions;
+  if (wanted.empty() || !world.walls || watch.next >= wanted.size())
+    return false;
+  const auto &walls = world.walls->walls;
+  const bool touched =
+      std::any_of(walls.begin(), walls.end(),
+                  [](const medium::Wall &wall) { return wall.touched.has_value(); });
+  if (!touched || medium::compression(*world.walls) < wanted[watch.next] * (1. - 1e-9))
+    return false;
+  ++watch.next;
+  return true;
+}
+
 void Recorder::observe(const World &world)
 {
   const double wall_before = record::wall_seconds(), cpu_before = record::cpu_seconds();
   for (auto &watch : watches)
-    if (due(watch.times, watch.next, world.time))
+    if (due(watch.times, watch.next, world.time) || reaches_compression(watch, world))
       observe_probe(*watch.probe, world);
   for (auto &reaction : reactions)
     if (due(reaction.events, reaction.next, world.time))

@@ -52,6 +52,7 @@ private:
   void watch_reaction(const std::string &name, const std::string &support,
                       const std::vector<double> &times, double half, double end);
   bool due(const std::vector<double> &times, std::size_t &next, double time) const;
+  bool reaches_compression(Watch &, const World &) const;
   void observe_probe(const scene::Probe &, const World &);
   void observe_tip(const scene::TipProbe &, const scene::Probe &, const World &);
   void observe_reaction(ReactionWatch &, const World &);

@@ -53,94 +53,129 @@ namespace
       profile.numbers["bytes " + what] = bytes;
     return profile;
   }
+
+  /// A run in progress: everything that outlives its functions.
+  class Session
+  {
+  public:
+    Session(const scene::Scene &, const record::CommandLine &);
+    int go(const std::function<bool()> &stop_asked);
+
+  private:
+    void open();
+    void save();
+    bool look(const std::function<bool()> &stop_asked);
+    int fail(const std::string &what);
+    int complete();
+    record::Profile profile() const
+    {
+      return profile_of(world, *recorder, setup_cpu, setup_wall, begin_wall);
+    }
+
+    const scene::Scene &scene;
+    const record::CommandLine &command;
+    double begin_wall = record::wall_seconds();
+    double setup_cpu = 0., setup_wall = 0., last_checkpoint = 0.;
+    World world;
+    std::optional<record::Writer> writer;
+    std::optional<Recorder> recorder;
+    std::optional<record::Progress> progress;
+  };
+
+  Session::Session(const scene::Scene &asked, const record::CommandLine &line)
+      : scene(asked), command(line), world(build_world(asked, line.threads, line.force))
+  {
+    open();
+    setup_cpu = record::cpu_seconds();
+    setup_wall = record::wall_seconds() - begin_wall;
+    last_checkpoint = record::wall_seconds();
+    progress.emplace(std::cerr, record::Progress::style_of_stderr(false), "mpm_pf " + scene.title,
+                     world.time, scene.clock.end);
+  }
+
+  void Session::open()
+  {
+    std::filesystem::create_directories(command.output);
+    const auto provenance = record::collect("mpm_pf", command.joined, command.threads);
+    if (!command.resume || !std::filesystem::exists(checkpoint_path(command)))
+    {
+      writer.emplace(command.record_path(), provenance, scene, command.force);
+      recorder.emplace(scene, *writer);
+      return;
+    }
+    const auto from = record::Checkpoint::load(checkpoint_path(command), scene);
+    world.time = from.number("time");
+    world.steps = static_cast<long>(from.number("steps"));
+    restore(world, from);
+    writer.emplace(command.record_path(), provenance, scene, record::Writer::Resume{world.time});
+    recorder.emplace(scene, *writer);
+    recorder->restore(from, world.time);
+  }
+
+  void Session::save()
+  {
+    writer->flush();
+    save_checkpoint(world, *recorder, checkpoint_path(command));
+    last_checkpoint = record::wall_seconds();
+  }
+
+  bool Session::look(const std::function<bool()> &stop_asked)
+  {
+    progress->update(world.time, "step " + std::to_string(world.steps));
+    const bool stop = stop_asked();
+    if (stop || record::wall_seconds() - last_checkpoint > seconds_between_checkpoints)
+      save();
+    return !stop;
+  }
+
+  int Session::fail(const std::string &what)
+  {
+    progress->finish("failed");
+    std::cerr << "mpm_pf: " << what
+              << "\nThe record keeps what came before; repeat with: " << command.joined << '\n';
+    writer->finish(profile(), "failed: " + what);
+    return record::numerical_trouble;
+  }
+
+  int Session::complete()
+  {
+    if (!recorder->warning().empty())
+    {
+      std::cerr << "mpm_pf: " << recorder->warning() << '\n';
+      writer->attribute("warning", recorder->warning());
+    }
+    writer->finish(profile());
+    std::error_code none;
+    std::filesystem::remove(checkpoint_path(command), none);
+    progress->finish();
+    std::cout << command.record_path() << '\n';
+    return record::all_right;
+  }
+
+  int Session::go(const std::function<bool()> &stop_asked)
+  {
+    try
+    {
+      if (simulate(world, *recorder, [&](const World &) { return look(stop_asked); }))
+        return complete();
+    }
+    catch (const solid::Trouble &trouble)
+    {
+      return fail(trouble.what());
+    }
+    catch (const medium::NumericalTrouble &trouble)
+    {
+      return fail(trouble.what());
+    }
+    progress->finish("interrupted; go on with --resume");
+    return record::interrupted;
+  }
 } // namespace
 
 int run(const scene::Scene &scene, const record::CommandLine &command,
         const std::function<bool()> &stop_asked)
 {
-  const double begin_wall = record::wall_seconds();
   std::cerr << banner(scene);
   omp_set_num_threads(command.threads);
-  World world = build_world(scene, command.threads, command.force);
-
-  std::filesystem::create_directories(command.output);
-  const auto provenance = record::collect("mpm_pf", command.joined, command.threads);
-  std::optional<record::Checkpoint> from;
-  if (command.resume && std::filesystem::exists(checkpoint_path(command)))
-    from = record::Checkpoint::load(checkpoint_path(command), scene);
-  std::optional<record::Writer> writer;
-  if (from)
-    writer.emplace(command.record_path(), provenance, scene,
-                   record::Writer::Resume{from->number("time")});
-  else
-    writer.emplace(command.record_path(), provenance, scene, command.force);
-  Recorder recorder(scene, *writer);
-  if (from)
-  {
-    world.time = from->number("time");
-    world.steps = static_cast<long>(from->number("steps"));
-    restore(world, *from);
-    recorder.restore(*from, world.time);
-  }
-  const double setup_cpu = record::cpu_seconds();
-  const double setup_wall = record::wall_seconds() - begin_wall;
-
-  record::Progress progress(std::cerr, record::Progress::style_of_stderr(false),
-                            "mpm_pf " + scene.title, world.time, scene.clock.end);
-  double last_checkpoint = record::wall_seconds();
-  const auto checkpoint = [&](const World &w)
-  {
-    writer->flush();
-    save_checkpoint(w, recorder, checkpoint_path(command));
-    last_checkpoint = record::wall_seconds();
-  };
-  const auto look = [&](const World &w)
-  {
-    progress.update(w.time, "step " + std::to_string(w.steps));
-    if (stop_asked())
-    {
-      checkpoint(w);
-      return false;
-    }
-    if (record::wall_seconds() - last_checkpoint > seconds_between_checkpoints)
-      checkpoint(w);
-    return true;
-  };
-  const auto profile = [&]
-  { return profile_of(world, recorder, setup_cpu, setup_wall, begin_wall); };
-  const auto fail = [&](const std::string &what)
-  {
-    progress.finish("failed");
-    std::cerr << "mpm_pf: " << what
-              << "\nThe record keeps what came before; repeat with: " << command.joined << '\n';
-    writer->finish(profile(), "failed: " + what);
-    return record::numerical_trouble;
-  };
-  try
-  {
-    if (!simulate(world, recorder, look))
-    {
-      progress.finish("interrupted; go on with --resume");
-      return record::interrupted;
-    }
-  }
-  catch (const solid::Trouble &trouble)
-  {
-    return fail(trouble.what());
-  }
-  catch (const medium::NumericalTrouble &trouble)
-  {
-    return fail(trouble.what());
-  }
-  if (!recorder.warning().empty())
-  {
-    std::cerr << "mpm_pf: " << recorder.warning() << '\n';
-    writer->attribute("warning", recorder.warning());
-  }
-  writer->finish(profile());
-  std::error_code none;
-  std::filesystem::remove(checkpoint_path(command), none);
-  progress.finish();
-  std::cout << command.record_path() << '\n';
-  return record::all_right;
+  return Session(scene, command).go(stop_asked);
 }

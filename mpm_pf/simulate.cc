@@ -1,46 +1,31 @@
 #include "simulate.h"
 
 #include <algorithm>
-#include <cmath>
 
-namespace
-{
-  /// v . grad of Eqs. (1)-(3): everything that the melt carries follows the velocity over dt.
-  void carry(World &w, const double dt)
-  {
-    if (w.phase)
-      w.advection->advect(w.phase->value, w.phase->gradients, *w.velocity, dt); // Eq. (1)
-    if (w.heat)
-      w.advection->advect(w.heat->value, w.heat->gradients, *w.velocity, dt); // Eq. (2)
-    if (w.orientation && w.scene->orientation->turning)
-    {
-      melt::let_vary(*w.orientation, *w.mesh);
-      melt::turn(*w.orientation, *w.velocity, dt, *w.mesh, *w.advection); // Eq. (3)
-    }
-  }
-
-  /// Right sides of Eqs. (1) and (2) over dt, in equal explicit steps below their limit.
-  void grow(World &w, const double dt)
-  {
-    const long steps = std::max(1L, std::lround(std::ceil(dt / growth_step(w) * (1. - 1e-9))));
-    w.growth->advance({w.phase ? &w.phase->value : nullptr, w.heat ? &w.heat->value : nullptr,
-                       w.orientation.get(), w.noise.get()},
-                      dt / static_cast<double>(steps), steps);
-  }
-} // namespace
+#include "coupling.h"
 
 void step(World &w, const double dt)
 {
+  w.melt_moves = false;
+  if (w.walls)
+  {
+    medium::watch(*w.walls, w.phase->value, *w.mesh, w.time);
+    medium::move(*w.walls, w.time, dt, *w.mesh); // Sec. 3, cut cells [28,29]
+  }
   if (w.imposed)
+  {
     w.imposed->write(w.time + dt / 2, *w.mesh, *w.velocity); // Sec. 2.3.2, instead of a solid
+    w.melt_moves = w.imposed->crossing_rate() > 0.;
+  }
+  if (w.solid && coupled(w))
+    move_solid(w, dt); // Eqs. (4)-(6), and the extension of v into the melt [13]-[15]
+  else if (w.solid)
+    solid::advance(*w.solid, dt);
 
-  if (w.solid)
-    solid::advance(*w.solid, dt); // Eqs. (4)-(6), as many substeps as its own limit asks
-
-  if (w.imposed && w.imposed->crossing_rate() > 0.)
-    carry(w, dt);
+  if (w.melt_moves)
+    carry(w, dt); // v . grad of Eqs. (1)-(3), CIP [18]
   if (w.growth)
-    grow(w, dt); // operator splitting [16]
+    grow(w, dt); // right sides of Eqs. (1), (2): operator splitting [16]
   w.time += dt;
   ++w.steps;
 }
@@ -50,7 +35,7 @@ bool simulate(World &world, Recorder &recorder, const std::function<bool(const W
   const double end = world.scene->clock.end;
   if (world.steps == 0)
     recorder.observe(world);
-  while (world.time < end * (1. - 1e-12))
+  while (!finished(world))
   {
     const double event = std::min(recorder.next_event(world.time), end);
     const double free = coupling_step(world);

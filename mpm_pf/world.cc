@@ -125,11 +125,25 @@ World build_world(const scene::Scene &scene, const int threads, const bool force
         melt::make_orientation(scene.orientation->angle_degrees));
   if (scene.growth || scene.heat)
     build_growth(world, force);
-  if (scene.imposed)
-    build_motion(world);
   if (scene.solid)
     world.solid = solid::make_solid(scene, threads);
+  if (!scene.walls.empty())
+    world.walls = std::make_unique<medium::Walls>(medium::make_walls(scene.walls, *world.mesh));
+  if (scene.imposed || (scene.solid && scene.phase_field))
+    build_motion(world);
+  if (scene.solid && scene.phase_field)
+    world.extension = std::make_unique<medium::Extension>(
+        *world.mesh, scene.extension.value_or(scene::Extension{}), scene.phase_field->width);
   return world;
+}
+
+bool finished(const World &world)
+{
+  const auto travelled = [](const medium::Wall &wall)
+  { return wall.travel >= wall.asked.travel * (1. - 1e-12); };
+  return world.time >= world.scene->clock.end * (1. - 1e-12) ||
+         (world.walls &&
+          std::all_of(world.walls->walls.begin(), world.walls->walls.end(), travelled));
 }
 
 double growth_step(const World &world)
@@ -148,12 +162,20 @@ double coupling_step(const World &world)
     step = *scene.clock.step;
   // Coming back now and then lets the run be watched, interrupted and checkpointed.
   constexpr double substeps_between_looks = 512.;
-  if (world.solid)
+  // A front that walls or seeding wait for may move a fraction of a cell only.
+  constexpr double substeps_between_couplings = 32.;
+  const double fraction = scene.advection ? scene.advection->step_fraction : 0.2;
+  if (world.solid && !world.extension)
     step = std::min(step, substeps_between_looks * solid::stable_step(*world.solid));
   if (world.growth)
-    step = std::min(step, substeps_between_looks * growth_step(world));
+    step = std::min(step, (world.walls ? substeps_between_couplings : substeps_between_looks) *
+                              growth_step(world));
   if (world.imposed && world.imposed->crossing_rate() > 0.)
-    step = std::min(step, (scene.advection ? scene.advection->step_fraction : 0.2) /
-                              world.imposed->crossing_rate());
+    step = std::min(step, fraction / world.imposed->crossing_rate());
+  if (world.walls)
+    step = std::min(step, medium::step_limit(*world.walls, *world.mesh, fraction));
+  if (world.extension && solid::numbers(*world.solid).at("reference_speed") > 0.)
+    step = std::min(step, fraction * scene.domain.spacing()[0] /
+                              solid::numbers(*world.solid).at("reference_speed"));
   return step;
 }

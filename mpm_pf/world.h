@@ -10,6 +10,8 @@
 
 #include "imposed.h"
 #include "medium/advection.h"
+#include "medium/extension.h"
+#include "medium/walls.h"
 #include "melt/growth.h"
 #include "melt/orientation.h"
 #include "record/checkpoint.h"
@@ -39,15 +41,22 @@ struct World
   std::unique_ptr<melt::Noise> noise;             // [noise]
   std::unique_ptr<melt::Growth> growth;           // [growth], or [heat] alone
   std::unique_ptr<Imposed> imposed;               // [imposed]
+  std::unique_ptr<medium::Walls> walls;           // [[wall]]
   std::unique_ptr<medium::Velocity> velocity;     // if anything moves the melt's fields
+  std::unique_ptr<medium::Extension> extension;   // [solid] beside [phase_field]
   std::unique_ptr<medium::Advection> advection;
-  solid::Owner solid; // [solid]
+  bool melt_moves = false; // in the present step
+  solid::Owner solid;      // [solid]
 };
 
 /// Everything that `scene` asks for, at time 0. The scene must outlive the world. `force` accepts
 /// growth steps past their limit. Throws scene::BadScene where the scene cannot be built (no cell
 /// in a body, ...).
 World build_world(const scene::Scene &scene, int threads, bool force = false);
+
+/// Whether the run is over: the scene's end, or all walls have travelled as far as they were asked
+/// to.
+bool finished(const World &);
 
 /// Largest step that every present module accepts as one coupling step; infinity if none minds.
 double coupling_step(const World &);

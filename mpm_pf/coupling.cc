@@ -1,0 +1,126 @@
+#include "coupling.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solid/growing.h"
+
+namespace
+{
+  /// Nodes with less than this part of a full cell's mass count as liquid: their velocity rests on
+  /// the tail of a shape function.
+  constexpr double least_mass = 0.1;
+
+  solid::Crystal crystal(const World &w)
+  {
+    std::optional<scene::Box> between;
+    if (w.walls)
+      between = medium::active_box(w.walls->cuts, *w.mesh);
+    return {w.phase->value, *w.mesh, between};
+  }
+
+  bool grows_its_points(const World &w)
+  {
+    return w.solid && w.growth && w.scene->growth;
+  }
+
+  bool pressed_upon(const World &w)
+  {
+    return w.walls &&
+           std::any_of(w.walls->walls.begin(), w.walls->walls.end(),
+                       [](const medium::Wall &wall) { return wall.touched.has_value(); });
+  }
+
+  /// The solid's nodal velocity on the mesh; 1 in the result where it rests on enough mass.
+  medium::Field<unsigned char> spread(const solid::NodalVelocity &mean, const double full_mass,
+                                      const medium::Mesh &mesh, medium::Velocity &velocity)
+  {
+    medium::Field<unsigned char> material(mesh);
+    std::size_t n = 0;
+    for (int j = 0; j < mesh.nodes[1]; ++j)
+      for (int i = 0; i < mesh.nodes[0]; ++i, ++n)
+      {
+        velocity.x(i, j) = mean.x[n];
+        velocity.y(i, j) = mean.y[n];
+        material(i, j) = mean.mass[n] > least_mass * full_mass * mesh.weight(i, j);
+      }
+    return material;
+  }
+
+  void fill_velocity_ghosts(World &w)
+  {
+    medium::fill_ghosts(w.velocity->x, *w.mesh, medium::Parity::odd_in_x);
+    medium::fill_ghosts(w.velocity->y, *w.mesh, medium::Parity::odd_in_y);
+    if (w.walls)
+      medium::fill_behind(*w.velocity, *w.walls, *w.mesh);
+  }
+
+  std::vector<medium::WalledField> walled_fields(World &w)
+  {
+    std::vector<medium::WalledField> fields;
+    if (w.phase)
+      fields.push_back({&w.phase->value, &w.phase->gradients, &w.walls->swept_phase});
+    if (w.heat)
+      fields.push_back({&w.heat->value, &w.heat->gradients, &w.walls->swept_heat});
+    if (w.orientation && w.orientation->varying())
+      fields.push_back({&w.orientation->angle, &w.orientation->gradients, nullptr});
+    return fields;
+  }
+} // namespace
+
+bool coupled(const World &w)
+{
+  return w.extension != nullptr;
+}
+
+void move_solid(World &w, const double dt)
+{
+  if (grows_its_points(w) && !solid::active(*w.solid))
+  {
+    if (!pressed_upon(w))
+      return;
+    solid::activate(*w.solid, crystal(w), w.time);
+  }
+  solid::NodalVelocity mean;
+  solid::advance(*w.solid, dt, &mean);
+  const double full_mass =
+      solid::numbers(*w.solid).at("density") * w.mesh->spacing[0] * w.mesh->spacing[1];
+  const auto material = spread(mean, full_mass, *w.mesh, *w.velocity);
+  medium::extend_into_liquid<double>(*w.extension, {&w.velocity->x, &w.velocity->y}, w.phase->value,
+                                     material, *w.mesh);
+  fill_velocity_ghosts(w);
+  w.melt_moves = true;
+}
+
+void carry(World &w, const double dt)
+{
+  if (w.phase)
+    w.advection->advect(w.phase->value, w.phase->gradients, *w.velocity, dt); // Eq. (1)
+  if (w.heat)
+    w.advection->advect(w.heat->value, w.heat->gradients, *w.velocity, dt); // Eq. (2)
+  if (w.orientation && w.scene->orientation->turning)
+  {
+    melt::let_vary(*w.orientation, *w.mesh);
+    melt::turn(*w.orientation, *w.velocity, dt, *w.mesh, *w.advection); // Eq. (3)
+    if (w.extension)
+    {
+      medium::extend_into_liquid<double>(*w.extension, {&w.orientation->angle}, w.phase->value, {},
+                                         *w.mesh);
+      melt::refresh(*w.orientation, *w.mesh);
+    }
+  }
+}
+
+void grow(World &w, const double dt)
+{
+  if (w.walls)
+    medium::settle(*w.walls, *w.mesh, walled_fields(w));
+  if (grows_its_points(w))
+    solid::before_growth(*w.solid, crystal(w));
+  const long steps = std::max(1L, std::lround(std::ceil(dt / growth_step(w) * (1. - 1e-9))));
+  w.growth->advance({w.phase ? &w.phase->value : nullptr, w.heat ? &w.heat->value : nullptr,
+                     w.orientation.get(), w.noise.get(), w.walls ? &w.walls->cuts : nullptr},
+                    dt / static_cast<double>(steps), steps);
+  if (grows_its_points(w))
+    solid::seed_new_points(*w.solid, crystal(w));
+}

@@ -1,0 +1,20 @@
+// Where the solid and the melt meet: v goes from the material points to the melt's fields, phi
+// comes back. Both sides see plain nodal fields; nothing here knows how either of them works.
+#pragma once
+
+#include "world.h"
+
+/// Whether the world has a solid that moves something of the melt's.
+bool coupled(const World &);
+
+/// Advance the solid by dt (Eqs. (4)-(6)) and give every node of the mesh its velocity: the mean
+/// over dt (free of elastic ringing) where there is material, its zero-gradient extension elsewhere
+/// [13]-[15]. A solid that nothing has touched yet has no points and no velocity.
+void move_solid(World &, double dt);
+
+/// v . grad of Eqs. (1)-(3): everything that the melt carries follows the velocity over dt; then
+/// the fields end at the walls again.
+void carry(World &, double dt);
+
+/// Right sides of Eqs. (1) and (2) over dt; what has grown becomes material points.
+void grow(World &, double dt);
