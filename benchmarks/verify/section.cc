@@ -31,6 +31,19 @@ namespace verify
                                 : fmt::format("{}", value.as_floating());
     }
 
+    /// One line of TOML for a value; numbers as short as they can be read back.
+    std::string literal(const toml::value &value)
+    {
+      if (value.is_integer() || value.is_floating())
+        return number_text(value);
+      if (!value.is_array())
+        return toml::format(value, 1000000);
+      std::string list;
+      for (const auto &entry : value.as_array())
+        list += (list.empty() ? "" : ", ") + literal(entry);
+      return "[" + list + "]";
+    }
+
     void flatten(const toml::value &value, std::vector<std::string> &texts, bool &good)
     {
       if (value.is_array())
@@ -194,12 +207,7 @@ namespace verify
       return result;
     }
     for (const auto &entry : value->as_array())
-    {
-      // width 0: on one line; toml11 keeps integers, strings and lists as they were written
-      std::string text = toml::format(entry, 1000000);
-      text.erase(std::remove(text.begin(), text.end(), '\n'), text.end());
-      result.push_back(text);
-    }
+      result.push_back(literal(entry));
     return result;
   }
 
@@ -237,12 +245,12 @@ namespace verify
 
   std::vector<std::string> Section::keys() const
   {
-    // toml11 keeps tables unordered; the line numbers put them back as they were written
-    std::multimap<std::uint_least32_t, std::string> by_line;
+    // toml11 keeps tables unordered; their places put them back as they were written
+    std::multimap<std::pair<std::size_t, std::size_t>, std::string> by_place;
     for (const auto &[key, value] : node->value.as_table())
-      by_line.emplace(value.location().line(), key);
+      by_place.emplace(std::make_pair(value.location().line(), value.location().column()), key);
     std::vector<std::string> result;
-    for (const auto &[line, key] : by_line)
+    for (const auto &[place, key] : by_place)
       result.push_back(key);
     return result;
   }

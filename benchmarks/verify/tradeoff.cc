@@ -29,13 +29,14 @@ namespace verify
       return values[values.size() / 2];
     }
 
-    /// Costs of all rows; short runs are repeated, their first run counts as the warm-up.
+    /// Costs of all jobs; short ones from `first` on are repeated, their first run counts as the
+    /// warm-up.
     std::vector<Cost> costs_of(const std::vector<Job> &jobs, const std::vector<Outcome> &outcomes,
-                               const JobOptions &options)
+                               const std::size_t first, const JobOptions &options)
     {
       std::vector<Job> again;
       std::vector<std::size_t> whose;
-      for (std::size_t i = 0; i < jobs.size(); ++i)
+      for (std::size_t i = first; i < jobs.size(); ++i)
         if (outcomes[i].good() && outcomes[i].cpu_s < short_run_s)
           for (int k = 1; k <= repetitions; ++k)
           {
@@ -163,7 +164,7 @@ namespace verify
       job.any_exit = true;
     const JobOptions how{options.cores, options.fresh};
     const auto outcomes = run_jobs(jobs, how);
-    const auto costs = costs_of(jobs, outcomes, how);
+    const auto costs = costs_of(jobs, outcomes, trade.references.size(), how);
     if (interrupted())
       return 130;
     Json result{{"format", "mpm_pf tradeoff 1"}, {"case", name}, {"suite", trade.c.suite}};

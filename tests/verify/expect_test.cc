@@ -1,0 +1,93 @@
+// expect.toml: every error of a file at once, with its place and what to do.
+#include <gtest/gtest.h>
+
+#include "section.h"
+#include "workspace.h"
+
+using namespace verify;
+
+namespace
+{
+  std::string complaint(const std::string &expect)
+  {
+    const Workspace w;
+    w.write("cases/bar/expect.toml", expect);
+    try
+    {
+      read_case(w.folder(), "quick");
+    }
+    catch (const BadInput &error)
+    {
+      return error.what();
+    }
+    return "";
+  }
+  const std::string head = "title = \"t\"\n[[run]]\nsolver = \"mpm_pf\"\n";
+  const std::string check = "[[check]]\nname = \"c\"\nsource = \"s\"\nreason = \"r\"\n";
+} // namespace
+
+TEST(Expectations, NameAnUnknownKeyAndTheNearestKnownOne)
+{
+  const std::string text = complaint(head + "expect_exitt = 2\n");
+  EXPECT_NE(text.find("expect_exitt"), std::string::npos) << text;
+  EXPECT_NE(text.find("did you mean `expect_exit`"), std::string::npos) << text;
+  EXPECT_NE(text.find("expect.toml"), std::string::npos) << text;
+}
+
+TEST(Expectations, ReportAllErrorsInOnePass)
+{
+  const std::string text =
+      complaint("[[run]]\nsolver = \"abaqus\"\n" + check +
+                "take = {run = \"nobody\", line = \"l\"}\nnorm = \"biggest\"\nlimit = 1\n");
+  for (const char *part :
+       {"`title` is missing", "mpm_pf", "no such norm", "`of` is missing", "nobody"})
+    EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+}
+
+TEST(Expectations, WantTwoSidedLimitsOfValuesAndOrders)
+{
+  const std::string text = complaint(
+      head + check + "take = {run = \"mpm_pf\", number = \"n\"}\nnorm = \"value\"\nlimit = 1\n");
+  EXPECT_NE(text.find("two-sided"), std::string::npos) << text;
+}
+
+TEST(Expectations, RefuseNormsThatDoNotFit)
+{
+  EXPECT_NE(complaint(head + check +
+                      "take = {run = \"mpm_pf\", outline = \"o\"}\nagainst = \"zero\"\nnorm = "
+                      "\"max\"\nlimit = 1\n")
+                .find("outlines"),
+            std::string::npos);
+  EXPECT_NE(complaint(head + check +
+                      "take = {run = \"mpm_pf\", number = \"n\"}\nnorm = \"relative\"\nlimit = 1\n")
+                .find("against"),
+            std::string::npos);
+}
+
+TEST(Expectations, ResolveTablesBySuiteAndConstants)
+{
+  const Workspace w;
+  w.write("cases/bar/scene.toml", "title = \"bar\"\n");
+  w.write("cases/bar/expect.toml",
+          "title = \"t\"\n[constants]\na = 2\nb = \"a^2\"\n[[run]]\nsolver = \"mpm_pf\"\nh = "
+          "{quick = 0.5, full = 0.25}\n" +
+              check +
+              "take = {run = \"mpm_pf\", number = \"n\"}\nagainst = {number = \"b\"}\nnorm = "
+              "\"relative\"\nlimit = {quick = \"a/100\", full = 0.01}\n");
+  const Case quick = read_case(w.folder(), "quick"), full = read_case(w.folder(), "full");
+  EXPECT_EQ(quick.constants.back().second, 4.);
+  EXPECT_EQ(*quick.runs[0].h, 0.5);
+  EXPECT_EQ(*full.runs[0].h, 0.25);
+  EXPECT_EQ(quick.checks[0].high, 0.02);
+  EXPECT_EQ(full.checks[0].high, 0.01);
+  EXPECT_EQ(full.runs[0].scene, "scene.toml");
+}
+
+TEST(Expectations, NeedAMeshSizeForAnOrder)
+{
+  const std::string text =
+      complaint(head + "[[run]]\nname = \"b\"\nsolver = \"mpm_pf\"\nh = 1\n" + check +
+                "order_over = [\"mpm_pf\", \"b\"]\ntake = {line = \"l\", of = \"u\"}\nagainst = "
+                "\"zero\"\nnorm = \"l2\"\nlimit = [1, 3]\n");
+  EXPECT_NE(text.find("mesh size"), std::string::npos) << text;
+}

@@ -1,0 +1,106 @@
+// A solver that computes nothing: it takes the options of the real ones and writes a record with
+// known contents, so that the campaign program can be tested without them. What it does is told by
+// --set fake.<key>=<number>:
+//
+//   error, order, h   every quantity is off by error*h^order
+//   exit              this exit code instead of a record
+//   sleep             seconds of waiting;  burn: seconds of CPU time
+//   short             the history ends at this time instead of 1
+//   nan               1: the line probe holds an infinite value
+//   growth            the energy grows by this factor per unit of time
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <limits>
+#include <map>
+#include <string>
+#include <thread>
+
+#include "record/command_line.h"
+#include "record/writer.h"
+
+namespace
+{
+  using Settings = std::map<std::string, double>;
+
+  Settings settings_of(const record::CommandLine &command)
+  {
+    Settings settings{{"error", 0.}, {"order", 2.}, {"h", 1.},   {"exit", 0.},  {"sleep", 0.},
+                      {"burn", 0.},  {"short", 1.}, {"nan", 0.}, {"growth", 0.}};
+    for (const auto &text : command.overrides)
+      if (const auto equal = text.find('='); text.rfind("fake.", 0) == 0)
+        settings[text.substr(5, equal - 5)] = std::stod(text.substr(equal + 1));
+    return settings;
+  }
+
+  void burn(const double seconds)
+  {
+    volatile double sum = 0.;
+    for (const double end = record::cpu_seconds() + seconds; record::cpu_seconds() < end;)
+      for (int i = 0; i < 10000; ++i)
+        sum = sum + std::sqrt(i);
+  }
+
+  /// Exact: history sin(t), line x^2, outline a unit square, field x + y; all but the energy off by
+  /// `off`.
+  void write(record::Writer &writer, const Settings &s)
+  {
+    const double off = s.at("error") * std::pow(s.at("h"), s.at("order"));
+    for (int i = 0; i <= 100 && 0.01 * i <= s.at("short"); ++i)
+    {
+      const double t = 0.01 * i;
+      writer.table("history", {{"force", "strain"}, {"N", "-"}}, t,
+                   {2. * std::sin(t) * (1. + off), t < 0.5 ? t : 1. - t});
+      writer.table("energy", {{"kinetic_energy"}, {"J"}}, t, {std::exp(s.at("growth") * t)});
+    }
+    record::LineSample line;
+    for (int i = 0; i <= 20; ++i)
+    {
+      const double x = 0.05 * i;
+      line.position.push_back({x, 0.5});
+      line.values.push_back(x * x + off);
+    }
+    if (s.at("nan") > 0.)
+      line.values[3] = std::numeric_limits<double>::infinity();
+    writer.line("profile", {{"u"}, {"m"}}, 1., line);
+    writer.outline("outline", 1., {{{0., 0.}, {1. + off, 0.}, {1. + off, 1.}, {0., 1.}}});
+    record::Snapshot snapshot;
+    snapshot.vertex = {{0., 0.}, {1., 0.}, {0., 1.}, {1., 1.}};
+    snapshot.fields["sum"] = {off, 1. + off, 1. + off, 2. + off};
+    writer.snapshot("fields", 1., snapshot);
+    writer.attribute("largest", 1. + off);
+  }
+} // namespace
+
+int main(int argc, char **argv)
+{
+  const std::string name = std::filesystem::path(argv[0]).filename().string();
+  const auto parsed =
+      record::parse_command_line(argc, argv, name, "a solver that computes nothing");
+  if (!parsed.command)
+  {
+    std::printf("%s", parsed.text.c_str());
+    return parsed.exit_code;
+  }
+  const auto &command = *parsed.command;
+  const Settings s = settings_of(command);
+  std::this_thread::sleep_for(std::chrono::duration<double>(s.at("sleep")));
+  burn(s.at("burn"));
+  if (s.at("exit") != 0.)
+  {
+    std::printf("fake trouble of kind %g\n", s.at("exit"));
+    return static_cast<int>(s.at("exit"));
+  }
+  std::filesystem::create_directories(command.output);
+  scene::Scene scene;
+  scene.file = command.scene;
+  scene.text = "title = \"fake\"\n";
+  record::Writer writer(command.record_path(), record::collect(name, command.joined, 1), scene,
+                        command.force);
+  write(writer, s);
+  record::Profile profile;
+  profile.numbers = {{"steps", 100.}, {"cells", 16.}, {"points", 64.}};
+  writer.finish(profile);
+  return 0;
+}
