@@ -2,6 +2,7 @@
 
 #include "solid/energy.h"
 #include "solid/ledger.h"
+#include "solid/splitting.h"
 
 namespace solid
 {
@@ -86,6 +87,7 @@ namespace solid
           fill_cell(fill, i, j);
       }
     solid.points.active = solid.points.size();
+    square_edges(solid.points, solid.material.density, 0);
     growing.map.measure(crystal.phi, crystal.mesh, crystal.between_walls);
     growing.ledger.activated = growing.map.total();
     solid.time = time;

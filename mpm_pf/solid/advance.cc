@@ -5,6 +5,8 @@
 #include "solid/body.h"
 #include "solid/energy.h"
 #include "solid/mean_velocity.h"
+#include "solid/splitting.h"
+#include "solid/walls.h"
 
 namespace solid
 {
@@ -105,6 +107,7 @@ namespace solid
       step.inverse_density = 1. / material.density;
       step.relaxation = solid.scheme.pressure_relaxation;
       step.lower = solid.domain.lower, step.upper = solid.domain.upper();
+      bound_by_walls(solid.supports, solid.time + dt, step.lower, step.upper);
       const double fastest = 0.5 * solid.grid.dx / dt;
       step.speed_limit2 = fastest * fastest;
       return step;
@@ -134,7 +137,7 @@ namespace solid
         const Block &block = grid.blocks[b];
         if (scheme.transfer == Transfer::apic)
           gather_affine(scheme, folds, grid, points, block.begin, block.end);
-        move(points, solid.moving, grid, step, means, solid.shares[b], block.begin, block.end);
+        move(points, solid.moving, step, means, solid.shares[b], block.begin, block.end);
       };
 #pragma omp parallel num_threads(solid.threads)
       {
@@ -152,8 +155,9 @@ namespace solid
                     [&](const int b)
                     {
                       const Block &block = grid.blocks[b];
-                      update_stress(points, grid, step, means, solid.shares[b], block.begin,
-                                    block.end);
+                      update_stress(points, step, means, solid.shares[b], block.begin, block.end);
+                      if (points.may_split && solid.steps % stretch_interval == 0)
+                        stretch(points, stretch_interval * dt, block.begin, block.end);
                       if (!means)
                         finish(b);
                     });
@@ -169,6 +173,7 @@ namespace solid
       if (!first && grid.drift < 0.25 * grid.dx)
         return;
       Timed timed(solid, "sorting");
+      split_points(solid);
       sort(solid.points, grid, solid.scratch, solid.scheme.incremental(), solid.threads);
       solid.supports.marked.clear();
       resize_with_grid(solid);
@@ -182,7 +187,7 @@ namespace solid
       throw Trouble(cause, solid.steps, solid.time, place);
     }
 
-    void check_point(const Solid &solid, const std::size_t p)
+    void check_point(const Solid &solid, const std::size_t p, const double dt)
     {
       const Points &points = solid.points;
       const Point lower = solid.domain.lower, upper = solid.domain.upper();
@@ -200,7 +205,9 @@ namespace solid
       if (points.x[p] < lower[0] || points.x[p] > upper[0] || points.y[p] < lower[1] ||
           points.y[p] > upper[1])
         report(solid, which + "has left the mesh; enlarge domain.size", p);
-      report(solid, which + "crosses half a cell in one step; take a smaller mpm.step_fraction", p);
+      if (!(std::hypot(points.vx[p], points.vy[p]) < 0.5 * solid.grid.dx / dt))
+        report(solid, which + "crosses half a cell in one step; take a smaller mpm.step_fraction",
+               p);
     }
 
     std::size_t fastest(const Points &points)
@@ -219,7 +226,8 @@ namespace solid
       for (const Share &share : solid.shares)
       {
         if (share.bad >= 0)
-          check_point(solid, static_cast<std::size_t>(share.bad));
+          stop_at_walls(solid, solid.time),
+              check_point(solid, static_cast<std::size_t>(share.bad), dt);
         kinetic += share.kinetic, solid.energy.dissipated += share.dissipated;
         speed2 = std::max(speed2, share.largest_speed2);
       }
@@ -254,7 +262,7 @@ namespace solid
   void resize_with_grid(Solid &solid)
   {
     if (solid.scheme.anti_locking)
-      solid.cells.resize(solid.grid.nodes.size());
+      solid.cells.resize(solid.grid.nodes.size(), solid.points.size());
     if (solid.scheme.incremental())
       solid.moving.vx.resize(solid.points.size()), solid.moving.vy.resize(solid.points.size());
   }
@@ -283,17 +291,8 @@ namespace solid
       left = count <= 1. ? 0. : left - length;
     }
     if (mean)
-      finish(*mean);
+      finish(*mean), unfold(solid.supports, solid.domain, solid.grid, *mean);
     // The end is exactly where it was asked for, however many steps it took.
-    solid.time = start + dt;
-    solid.call_duration = dt;
-  }
-
-  Trouble::Trouble(const std::string &cause, const long step, const double time, const Point &place)
-      : std::runtime_error("numerical trouble in step " + std::to_string(step) + " at time " +
-                           std::to_string(time) + " near (" + std::to_string(place[0]) + ", " +
-                           std::to_string(place[1]) + "): " + cause),
-        step(step), time(time), place(place)
-  {
+    solid.time = start + dt, solid.call_duration = dt;
   }
 } // namespace solid

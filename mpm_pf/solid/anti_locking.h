@@ -24,13 +24,11 @@ namespace solid
   struct CellMeans
   {
     Array<CellSum> rate, pressure;
+    Array<std::int32_t> cell; // of each point during a step
 
-    void resize(const std::size_t nodes) { rate.resize(nodes), pressure.resize(nodes); }
+    void resize(const std::size_t nodes, const std::size_t points)
+    {
+      rate.resize(nodes), pressure.resize(nodes), cell.resize(points);
+    }
   };
-
-  inline __attribute__((always_inline)) std::ptrdiff_t cell_index(const Grid &grid, const double x,
-                                                                  const double y)
-  {
-    return grid.at(grid.cell(x, 0), grid.cell(y, 1));
-  }
 } // namespace solid

@@ -42,6 +42,7 @@ namespace solid
     std::vector<Share> shares; // of the blocks
     std::array<int, 2> points_per_cell{2, 2};
     std::shared_ptr<Growing> growing; // once a crystal's points exist
+    long split_points = 0;            // so far
     Timer timer;
     double time = 0., speed = 0.; // largest speed of a point
     double call_duration = 0.;    // of the last call of advance

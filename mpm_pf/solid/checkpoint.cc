@@ -1,5 +1,5 @@
 // Full state as named vectors of doubles; 32-bit numbers fit in them exactly.
-#include "solid/body.h"
+#include "solid/ledger.h"
 
 namespace solid
 {
@@ -108,6 +108,8 @@ namespace solid
                         solid.material.density};
     state["supports"] = pack(solid.supports);
     state["grid"] = pack(solid.grid);
+    if (solid.growing)
+      state["growth"] = pack_growth(solid);
     for (std::size_t k = 0; k < solid.tracers.outlines.size(); ++k)
       state["outline " + std::to_string(k)] = pack(solid.tracers.outlines[k]);
     return state;
@@ -137,6 +139,8 @@ namespace solid
     for (std::size_t k = 0; k < static_cast<std::size_t>(numbers[10]); ++k)
       solid.tracers.outlines.push_back(unpack(find(state, "outline " + std::to_string(k))));
     unpack(find(state, "grid"), solid.grid, solid.scheme.incremental());
+    if (state.count("growth"))
+      unpack_growth(solid, find(state, "growth"));
     solid.supports.marked.clear();
     resize_with_grid(solid);
   }

@@ -31,16 +31,16 @@ namespace solid
     double speed_limit2 = 0.;
   };
 
-  /// Add the volume strain of the step to the cells.
+  /// Find each point's cell and add the volume strain of the step to it.
   void collect_rates(const Points &, const Grid &, const Step &, CellMeans &, std::size_t begin,
                      std::size_t end);
 
   /// New stress, plastic strain and jacobian. `means` null: each point by itself; else pressures
   /// are added to the cells.
-  void update_stress(Points &, const Grid &, const Step &, CellMeans *means, Share &,
-                     std::size_t begin, std::size_t end);
+  void update_stress(Points &, const Step &, CellMeans *means, Share &, std::size_t begin,
+                     std::size_t end);
 
   /// Relax pressures to their cells (`means` not null), move the points and check them.
-  void move(Points &, const Moving &, const Grid &, const Step &, const CellMeans *means, Share &,
+  void move(Points &, const Moving &, const Step &, const CellMeans *means, Share &,
             std::size_t begin, std::size_t end);
 } // namespace solid

@@ -115,6 +115,37 @@ namespace solid
     owed.swap(moved);
   }
 
+  std::vector<double> pack_growth(const Solid &solid)
+  {
+    const Ledger &ledger = solid.growing->ledger;
+    std::vector<double> packed{ledger.activated,
+                               ledger.grown,
+                               ledger.melted,
+                               ledger.seeded,
+                               ledger.removed,
+                               static_cast<double>(ledger.seeded_points),
+                               static_cast<double>(ledger.removed_points),
+                               static_cast<double>(solid.split_points)};
+    for (const medium::CellValue &debt : solid.growing->owed)
+      packed.insert(packed.end(), {static_cast<double>(debt.cell), debt.value});
+    return packed;
+  }
+
+  void unpack_growth(Solid &solid, const std::vector<double> &packed)
+  {
+    if (packed.size() < 8 || packed.size() % 2 != 0)
+      throw std::runtime_error("the checkpoint's ledger of growth is cut short");
+    solid.growing = std::make_unique<Growing>(solid.domain);
+    Ledger &ledger = solid.growing->ledger;
+    ledger.activated = packed[0], ledger.grown = packed[1], ledger.melted = packed[2];
+    ledger.seeded = packed[3], ledger.removed = packed[4];
+    ledger.seeded_points = static_cast<long>(packed[5]);
+    ledger.removed_points = static_cast<long>(packed[6]);
+    solid.split_points = static_cast<long>(packed[7]);
+    for (std::size_t k = 8; k < packed.size(); k += 2)
+      solid.growing->owed.push_back({static_cast<long>(packed[k]), packed[k + 1]});
+  }
+
   std::size_t insert_point(Solid &solid, const Point &position, const double mass)
   {
     Points &points = solid.points;
@@ -123,6 +154,9 @@ namespace solid
     if (place != last)
       for_each_array(points,
                      [&](const char *, auto &array) { std::swap(array[place], array[last]); });
+    if (points.may_split)
+      points.rxx[place] = points.ryy[place] =
+          static_cast<float>(std::sqrt(mass / solid.material.density));
     solid.grid.drift = solid.grid.dx; // sort before the next step
     return place;
   }
@@ -155,7 +189,7 @@ namespace solid
     now.points = mass(solid) / solid.material.density;
     for (const medium::CellValue &debt : solid.growing->owed)
       now.owed += debt.value;
-    now.phi = solid.growing->map.total();
+    now.phi = solid.growing->map.total(), now.split_points = solid.split_points;
     return now;
   }
 

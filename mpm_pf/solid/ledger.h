@@ -19,6 +19,10 @@ namespace solid
     Ledger ledger;           // without points and owed
   };
 
+  /// For a checkpoint, and back.
+  std::vector<double> pack_growth(const Solid &);
+  void unpack_growth(Solid &, const std::vector<double> &);
+
   /// Sum of two sorted lists; cells that owe nothing are dropped.
   medium::CellValues merged(const medium::CellValues &, const medium::CellValues &);
 

@@ -7,6 +7,7 @@
 #include "solid/energy.h"
 #include "solid/ledger.h"
 #include "solid/seeding.h"
+#include "solid/splitting.h"
 
 namespace solid
 {
@@ -78,6 +79,7 @@ namespace solid
     // The density only scales the masses, so it may come after all that needs the points.
     solid.material = make_material(*scene.solid, {}, 0.);
     solid.points_per_cell = mpm.points_per_cell;
+    solid.points.may_split = mpm.split_points;
     if (!scene.growth) // else activate() makes the points, once something presses on the crystal
     {
       solid.points = make_points(scene, solid.material, mpm.points_per_cell);
@@ -89,10 +91,12 @@ namespace solid
     solid.material = make_material(*scene.solid, mpm.mach, solid.reference_speed);
     for (double &mass : solid.points.mass)
       mass *= solid.material.density_scale;
+    square_edges(solid.points, solid.material.density, 0);
     solid.speed = largest_speed(solid.points);
     solid.energy.start = kinetic_energy(solid) + elastic_energy(solid);
     const scene::Box box = scene::bounding_box(scene.bodies);
-    solid.bin = (box.upper - box.lower)[0] / 20.;
+    // A growing crystal has no size to divide; four cells is what its stresses are compared in.
+    solid.bin = scene.growth ? 4. * solid.grid.dx : (box.upper - box.lower)[0] / 20.;
     return owner;
   }
 
@@ -128,7 +132,8 @@ namespace solid
     const double per_node = sizeof(Node) + sizeof(Velocity) + 1. +
                             (grid.change.empty() ? 0. : sizeof(Velocity)) +
                             (solid.cells.rate.empty() ? 0. : 2. * sizeof(CellSum));
-    return {{"points", static_cast<double>(bytes_per_point() * solid.points.size())},
+    return {{"points",
+             static_cast<double>(bytes_per_point(solid.points.may_split) * solid.points.size())},
             {"grid", per_node * static_cast<double>(grid.nodes.size())},
             {"scratch",
              4. * static_cast<double>(scratch.key.size() + scratch.order.size() +

@@ -49,7 +49,9 @@ namespace solid
     Array<double> mass;               // per unit depth
     Array<std::uint32_t> X, Y;        // initial position, see Fraction
     Array<std::uint16_t> regions;     // bit r: started in region r
-    std::size_t active = 0;           // these move by Eq. (4), the rest with a rigid grip
+    Array<float> rxx, rxy, ryx, ryy;  // edges of its material, columns; only if points may split
+    bool may_split = false;
+    std::size_t active = 0; // these move by Eq. (4), the rest with a rigid grip
 
     std::size_t size() const { return x.size(); }
   };
@@ -63,13 +65,16 @@ namespace solid
     f("sxx", points.sxx), f("syy", points.syy), f("szz", points.szz), f("sxy", points.sxy);
     f("plastic", points.plastic), f("jacobian", points.jacobian), f("mass", points.mass);
     f("X", points.X), f("Y", points.Y), f("regions", points.regions);
+    if (points.may_split)
+      f("rxx", points.rxx), f("rxy", points.rxy), f("ryx", points.ryx), f("ryy", points.ryy);
   }
 
   /// Bytes of state of one point.
-  inline std::size_t bytes_per_point()
+  inline std::size_t bytes_per_point(const bool may_split = false)
   {
     std::size_t bytes = 0;
-    const Points none;
+    Points none;
+    none.may_split = may_split;
     for_each_array(none, [&](const char *, const auto &array) { bytes += sizeof(array[0]); });
     return bytes;
   }

@@ -197,6 +197,7 @@ namespace solid
                      const std::array<int, 2> &per_cell)
   {
     Points points;
+    points.may_split = scene.mpm && scene.mpm->split_points;
     const Fraction fraction(scene.domain);
     const Lattice lattice = lattice_of(scene.domain, per_cell);
     bool aligned = true;

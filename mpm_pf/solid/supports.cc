@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "solid/walls.h"
+
 namespace solid
 {
   namespace
@@ -49,27 +51,6 @@ namespace solid
           }
       if (!known && count > 0)
         line.position = sum / count;
-    }
-
-    // Nodes of `row` along the line, from `reach` cells before it to `reach` cells beyond.
-    template <typename F>
-    void for_nodes_along(const HeldLine &line, const Grid &grid, const int row, const double reach,
-                         F &&f)
-    {
-      const int along = 1 - line.axis;
-      const auto column = [&](const double x) { return (x - grid.lower[along]) * grid.inverse_dx; };
-      // A symmetry side is as long as what is in use.
-      const double lowest = -16., highest = grid.cells[along] + 16.;
-      const int first =
-          static_cast<int>(std::ceil(std::max(lowest, column(line.lower) - reach - 1e-9)));
-      const int last =
-          static_cast<int>(std::floor(std::min(highest, column(line.upper) + reach + 1e-9)));
-      for (int k = first; k <= last; ++k)
-      {
-        const int i = line.axis == 1 ? k : row, j = line.axis == 1 ? row : k;
-        if (grid.has(i, j))
-          f(i, j, grid.at(i, j));
-      }
     }
 
     void mark(Supports &supports, Grid &grid, const std::ptrdiff_t n, const int axis,
@@ -131,6 +112,7 @@ namespace solid
       Point v = Point::Zero();
       if (support && uniform)
         v = (support->motion.at(v, v, t + dt) - support->motion.at(v, v, t)) / dt;
+      supports.speed = std::max(supports.speed, v.norm());
       for_nodes_along(line, grid, fold.carrier(), extra + 1.,
                       [&](const int i, const int j, const std::ptrdiff_t n)
                       {
@@ -141,13 +123,16 @@ namespace solid
                           const Point X = origin(support->motion, x, t);
                           v = (support->motion.at(X, x, t + dt) - support->motion.at(X, x, t)) / dt;
                         }
-                        give(supports, support, grid, n, line.held, v, dt);
+                        if (!line.contact || touches(line, fold, grid, i, j, n, v))
+                          give(supports, support, grid, n, line.held, v, dt);
                       });
     }
   } // namespace
 
   Point Motion::at(const Point &X, const Point &x, const double t) const
   {
+    if (driven)
+      return driven->displacement + (t - driven->since) * driven->velocity;
     Point u = Point::Zero();
     for (int c = 0; c < 2; ++c)
       if (displacement[c])

@@ -22,13 +22,25 @@
 
 namespace solid
 {
+  /// Straight motion given from outside, as that of a wall: displacement + velocity (t - since).
+  struct Driven
+  {
+    Point displacement = Point::Zero(), velocity = Point::Zero();
+    double since = 0.;
+    std::array<bool, 2> holds{true, true};
+  };
+
   /// Prescribed displacement; an empty component is free.
   struct Motion
   {
     std::array<std::optional<scene::Function>, 2> displacement;
-    bool uniform = true; // depends on time only
+    bool uniform = true;          // depends on time only
+    std::optional<Driven> driven; // instead of the two
 
-    bool holds(const int component) const { return displacement[component].has_value(); }
+    bool holds(const int component) const
+    {
+      return driven ? driven->holds[component] : displacement[component].has_value();
+    }
     /// Free components are 0.
     Point at(const Point &X, const Point &x, double t) const;
   };
@@ -53,6 +65,7 @@ namespace solid
     double initial = 0., from = 0., to = 0.; // position and extent at the start
     std::array<bool, 2> held{true, true};
     bool follows_tracers = false;                 // an edge: its extent is that of its tracers
+    bool contact = false;                         // a wall: holds only what touches it, see walls.h
     double position = 0., lower = 0., upper = 0.; // position and extent now
   };
 
@@ -83,6 +96,28 @@ namespace solid
     double speed = 0.;                  // largest prescribed in the last step
     double work = 0., work_done = 0.;   // by supports since the start; sum of absolute values
   };
+
+  /// Call f(i, j, n) for the nodes of `row` along the line, from `reach` cells before it to `reach`
+  /// cells beyond.
+  template <typename F>
+  void for_nodes_along(const HeldLine &line, const Grid &grid, const int row, const double reach,
+                       F &&f)
+  {
+    const int along = 1 - line.axis;
+    const auto column = [&](const double x) { return (x - grid.lower[along]) * grid.inverse_dx; };
+    // A symmetry side is as long as what is in use.
+    const double lowest = -16., highest = grid.cells[along] + 16.;
+    const int first =
+        static_cast<int>(std::ceil(std::max(lowest, column(line.lower) - reach - 1e-9)));
+    const int last =
+        static_cast<int>(std::floor(std::min(highest, column(line.upper) + reach + 1e-9)));
+    for (int k = first; k <= last; ++k)
+    {
+      const int i = line.axis == 1 ? k : row, j = line.axis == 1 ? row : k;
+      if (grid.has(i, j))
+        f(i, j, grid.at(i, j));
+    }
+  }
 
   /// Everything of the scene that holds; points get their region bits, those in rigid grips are
   /// moved behind `active`, and the tracers are marked. Throws scene::BadScene for a support that

@@ -4,7 +4,7 @@
 
 #include "scene/geometry.h"
 #include "scene/reader.h"
-#include "solid/supports.h"
+#include "solid/walls.h"
 
 namespace solid
 {
@@ -201,7 +201,9 @@ namespace solid
       for (const scene::Edge edge :
            {scene::Edge::left, scene::Edge::right, scene::Edge::bottom, scene::Edge::top})
       {
-        if (domain.boundary[static_cast<int>(edge)] != scene::Boundary::symmetry)
+        const bool walled = std::any_of(build.scene.walls.begin(), build.scene.walls.end(),
+                                        [&](const auto &wall) { return wall.side == edge; });
+        if (walled || domain.boundary[static_cast<int>(edge)] != scene::Boundary::symmetry)
           continue;
         HeldLine line;
         line.axis = edge == scene::Edge::left || edge == scene::Edge::right ? 0 : 1;
@@ -254,6 +256,7 @@ namespace solid
       else
         hold_edge(build, asked, static_cast<int>(k));
     }
+    add_walls(supports, scene);
     set_aside(points, supports.grips);
     return supports;
   }
