@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "medium/nearest_piece.h"
 #include "medium/piece_values.h"
@@ -63,8 +64,7 @@ namespace medium
     }
 
     void fill(Field<double> &field, const Extension &extension,
-              const std::vector<PieceValue> &values, const Field<unsigned char> &material,
-              const Mesh &mesh)
+              const std::vector<PieceValue> &values, const PieceFit &how, const Mesh &mesh)
     {
       const Distance &distance = extension.distance;
       const Tiles &tiles = distance.tiles;
@@ -77,9 +77,9 @@ namespace medium
                         distance.piece.row(j),
                         extension.nearest_piece.row(j),
                         distance.offset.row(j),
-                        material.empty() ? nullptr : material.row(j),
+                        how.material.empty() ? nullptr : how.material.row(j),
                         mesh.lower[1] + j * mesh.spacing[1],
-                        extension.depth};
+                        how.depth};
           for (int column = 0; column < tiles.columns; ++column)
           {
             const int i0 = tiles.first_node(column), i1 = tiles.end_node(column);
@@ -115,6 +115,23 @@ namespace medium
       }
       return now;
     }
+
+    /// From the values at the pieces to all nodes outside the solid.
+    void write(Extension &extension, const std::vector<Field<double> *> &fields,
+               const PieceFit &how, const Mesh &mesh)
+    {
+      const std::vector<int> now = renumber(extension, mesh);
+      const auto values = piece_values(extension.distance, fields, how, mesh);
+      for (std::size_t f = 0; f < fields.size(); ++f)
+      {
+        extension.far_value.resize(now.size());
+        for (std::size_t k = 0; k < now.size(); ++k)
+          extension.far_value[k] = values[f][static_cast<std::size_t>(now[k])].value;
+        fill(*fields[f], extension, values[f], how, mesh);
+        if (extension.method == scene::ExtensionMethod::pde)
+          march_extension(*fields[f], extension.distance, how.material, how.depth, mesh);
+      }
+    }
   } // namespace
 
   Extension::Extension(const Mesh &mesh, const scene::Extension &settings, double front_width)
@@ -135,17 +152,15 @@ namespace medium
       reinitialise(distance, phi, extension.front_width, mesh);
     if (extension.calls++ % extension.far_every == 0)
       draw_map(extension, mesh);
-    const std::vector<int> now = renumber(extension, mesh);
-    const auto values = piece_values(distance, fields, material, extension.depth, mesh);
-    for (std::size_t f = 0; f < fields.size(); ++f)
-    {
-      extension.far_value.resize(now.size());
-      for (std::size_t k = 0; k < now.size(); ++k)
-        extension.far_value[k] = values[f][static_cast<std::size_t>(now[k])].value;
-      fill(*fields[f], extension, values[f], material, mesh);
-      if (extension.method == scene::ExtensionMethod::pde)
-        march_extension(*fields[f], distance, material, extension.depth, mesh);
-    }
+    write(extension, fields, {material, extension.depth, Approach::linear}, mesh);
+  }
+
+  void extend_remembered(Extension &extension, const std::vector<Field<double> *> &fields,
+                         const Mesh &mesh)
+  {
+    if (extension.distance.pieces.empty() || extension.drawn.empty())
+      throw std::logic_error("extend_remembered was called before extend_into_liquid");
+    write(extension, fields, {Field<unsigned char>{}, 0., Approach::level}, mesh);
   }
 
   template void extend_into_liquid(Extension &, const std::vector<Field<double> *> &,

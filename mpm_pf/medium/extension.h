@@ -47,6 +47,12 @@ namespace medium
   void extend_into_liquid(Extension &, const std::vector<Field<double> *> &fields,
                           const Field<T> &phi, const Field<unsigned char> &material, const Mesh &);
 
+  /// The same for what the solid remembers and new solid inherits, the crystal angle: every node
+  /// with phi > 0 keeps its own, the liquid takes the value at the front, reached without slope
+  /// along the normal (Approach::level in piece_values.h). Distance and map are those of the last
+  /// extend_into_liquid. Throws std::logic_error if there was none.
+  void extend_remembered(Extension &, const std::vector<Field<double> *> &fields, const Mesh &);
+
   /// Lets the next call draw the map beyond the band afresh: called where a checkpoint is written
   /// or read, so that a resumed run has the same bits.
   inline void renew(Extension &extension)

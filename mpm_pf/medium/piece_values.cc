@@ -22,8 +22,8 @@ namespace medium
       double inverse_xx = 0., inverse_xy = 0., inverse_yy = 0.; // of the centred moments
     };
 
-    Around look_around(const ContourPiece &piece, const Distance &distance,
-                       const Field<unsigned char> &material, double depth, const Mesh &mesh)
+    Around look_around(const ContourPiece &piece, const Distance &distance, const PieceFit &how,
+                       const Mesh &mesh)
     {
       Around around;
       const double hx = mesh.spacing[0], hy = mesh.spacing[1];
@@ -37,7 +37,8 @@ namespace medium
              i <= std::min(middle_x + reach, mesh.nodes[0] - 1); ++i)
         {
           const double dx = i - x, dy = j - y, left = 1. - (dx * dx + dy * dy) / 12.;
-          if (left <= 0. || distance.psi(i, j) < depth || (!material.empty() && !material(i, j)))
+          if (left <= 0. || distance.psi(i, j) < how.depth ||
+              (!how.material.empty() && !how.material(i, j)))
             continue;
           const auto n = static_cast<std::size_t>(around.count++);
           around.node[n] = j * distance.psi.pitch() + i;
@@ -48,11 +49,10 @@ namespace medium
       return around;
     }
 
-    /// The inverse of the centred moments, where the nodes span the plane.
-    void solve_moments(Around &around)
+    /// The inverse of the centred moments, where the nodes span the plane: the gradient is this
+    /// times the first moments of the field. Level: of the moments along the contour only.
+    void solve_moments(Around &around, const ContourPiece &piece, Approach approach)
     {
-      if (around.count == 0)
-        return;
       around.mean_x /= around.sum, around.mean_y /= around.sum;
       double xx = 0., xy = 0., yy = 0.;
       for (std::size_t n = 0; n < static_cast<std::size_t>(around.count); ++n)
@@ -60,6 +60,15 @@ namespace medium
         const double dx = around.x[n] - around.mean_x, dy = around.y[n] - around.mean_y;
         xx += around.weight[n] * dx * dx, xy += around.weight[n] * dx * dy;
         yy += around.weight[n] * dy * dy;
+      }
+      if (approach == Approach::level)
+      {
+        const double x = -piece.normal_y, y = piece.normal_x;
+        const double along = x * x * xx + 2. * x * y * xy + y * y * yy;
+        const double inverse = along > 0.05 * around.sum ? 1. / along : 0.;
+        around.inverse_xx = inverse * x * x, around.inverse_xy = inverse * x * y;
+        around.inverse_yy = inverse * y * y;
+        return;
       }
       // Spread of the nodes along their thinnest direction: 0.05 of a cell squared, say one row of
       // nodes with a single one beside it, is too little to tell a gradient.
@@ -119,8 +128,7 @@ namespace medium
 
   std::vector<std::vector<PieceValue>> piece_values(const Distance &distance,
                                                     const std::vector<Field<double> *> &fields,
-                                                    const Field<unsigned char> &material,
-                                                    double depth, const Mesh &mesh)
+                                                    const PieceFit &how, const Mesh &mesh)
   {
     const std::size_t count = distance.pieces.size();
     std::vector<std::vector<PieceValue>> values(fields.size(), std::vector<PieceValue>(count));
@@ -128,11 +136,11 @@ namespace medium
 #pragma omp parallel for schedule(static)
     for (std::size_t k = 0; k < count; ++k)
     {
-      Around around = look_around(distance.pieces[k], distance, material, depth, mesh);
+      Around around = look_around(distance.pieces[k], distance, how, mesh);
       known[k] = around.count > 0;
       if (!known[k])
         continue;
-      solve_moments(around);
+      solve_moments(around, distance.pieces[k], how.approach);
       for (std::size_t f = 0; f < fields.size(); ++f)
         values[f][k] = fit(around, fields[f]->row(0), mesh);
     }

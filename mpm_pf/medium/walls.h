@@ -50,6 +50,12 @@ namespace medium
     int inward() const { return side == Edge::left || side == Edge::bottom ? 1 : -1; }
   };
 
+  /// Where the wall stands a time `remaining` before the end of the present step.
+  inline double position_before_end(const Wall &wall, double remaining)
+  {
+    return wall.position - wall.velocity * remaining;
+  }
+
   struct Walls
   {
     std::vector<Wall> walls;

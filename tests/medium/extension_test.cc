@@ -186,6 +186,40 @@ namespace medium
     }
   }
 
+  TEST(Extension, LetsNewSolidInheritTheAngleOfTheFront)
+  {
+    // A disc whose angle rises outward grows by eight cells, a twentieth of a cell a step: what has
+    // grown takes the angle of the front within two cells' rise; a slope must not be carried on.
+    Disc disc(60);
+    const double h = disc.mesh.spacing[0], slope = 0.1 / h;
+    Extension extension(disc.mesh, disc.settings, width);
+    Field<double> angle(disc.mesh), velocity(disc.mesh);
+    EXPECT_THROW(extend_remembered(extension, {&angle}, disc.mesh), std::logic_error);
+    const auto grow_to = [&](double size)
+    {
+      for (int j = 0; j < disc.mesh.nodes[1]; ++j)
+        for (int i = 0; i < disc.mesh.nodes[0]; ++i)
+          disc.phi(i, j) = std::tanh((size - (disc.mesh.position(i, j) - centre).norm()) /
+                                     (std::sqrt(2.) * width));
+      fill_ghosts(disc.phi, disc.mesh);
+    };
+    for (int j = 0; j < disc.mesh.nodes[1]; ++j)
+      for (int i = 0; i < disc.mesh.nodes[0]; ++i)
+        angle(i, j) = slope * ((disc.mesh.position(i, j) - centre).norm() - radius);
+    for (int step = 0; step <= 160; ++step)
+    {
+      grow_to(radius + 0.05 * h * step);
+      extend_into_liquid(extension, {&velocity}, disc.phi, disc.material, disc.mesh);
+      extend_remembered(extension, {&angle}, disc.mesh);
+    }
+    for (int j = 0; j < disc.mesh.nodes[1]; ++j)
+      for (int i = 0; i < disc.mesh.nodes[0]; ++i)
+        if ((disc.mesh.position(i, j) - centre).norm() > radius + h)
+        {
+          EXPECT_LT(std::abs(angle(i, j)), 0.25);
+        }
+  }
+
   TEST(Reinitialisation, ConvergesAndLeavesTheContour)
   {
     double error[2], shift[2];
