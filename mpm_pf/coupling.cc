@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "solid/growing.h"
+#include "solid/moving_walls.h"
 
 namespace
 {
@@ -29,6 +30,14 @@ namespace
     return w.walls &&
            std::any_of(w.walls->walls.begin(), w.walls->walls.end(),
                        [](const medium::Wall &wall) { return wall.touched.has_value(); });
+  }
+
+  std::vector<solid::WallMotion> motions(const medium::Walls &walls)
+  {
+    std::vector<solid::WallMotion> all;
+    for (const medium::Wall &wall : walls.walls)
+      all.push_back({wall.side, wall.position, wall.velocity});
+    return all;
   }
 
   /// The solid's nodal velocity on the mesh; 1 in the result where it rests on enough mass.
@@ -81,6 +90,8 @@ void move_solid(World &w, const double dt)
       return;
     solid::activate(*w.solid, crystal(w), w.time);
   }
+  if (w.walls)
+    solid::follow_walls(*w.solid, motions(*w.walls), dt);
   solid::NodalVelocity mean;
   solid::advance(*w.solid, dt, &mean);
   const double full_mass =
