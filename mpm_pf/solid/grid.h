@@ -17,6 +17,10 @@
 
 #include "solid/points.h"
 
+// Vectors of 64 bytes are passed between inlined functions only: their calling convention on
+// machines without such registers is of no interest.
+#pragma GCC diagnostic ignored "-Wpsabi"
+
 namespace solid
 {
   /// What one node gathers: mass, momentum (x, y), force (x, y), three spare. One cache line.
