@@ -84,6 +84,15 @@ namespace
   }
 } // namespace
 
+std::vector<scene::Polyline> phase_contour(const World &world)
+{
+  std::optional<scene::Box> between_walls;
+  if (world.walls)
+    between_walls = medium::active_box(world.walls->cuts, *world.mesh);
+  return medium::contour(world.phase->value, *world.mesh, medium::Profile::tanh_of_distance,
+                         between_walls);
+}
+
 void HistoryColumns::add(const std::string &name, const std::string &unit, const double value)
 {
   names.push_back(name);

@@ -13,6 +13,9 @@ struct HistoryColumns
   void add(const std::string &name, const std::string &unit, double value);
 };
 
+/// The phi = 0 contour, between the walls where there are any.
+std::vector<scene::Polyline> phase_contour(const World &);
+
 /// With phi: solid_area, interface_length, interface_width (mean of 1/(sqrt(2)|grad phi|) along the
 /// contour), phi_min, phi_max, active_tiles. With theta: theta_mean, theta_variance, theta_min,
 /// theta_max, heat_content (integral of theta - phi/2, conserved between adiabatic walls). On a

@@ -1,8 +1,9 @@
 #include "observe.h"
 
-#include "medium/contour.h"
 #include "melt_history.h"
 #include "melt_samples.h"
+#include "solid/growing.h"
+#include "solid/moving_walls.h"
 
 namespace
 {
@@ -33,6 +34,33 @@ namespace
     for (int j = 0; j < field.nodes(1); ++j)
       flat.insert(flat.end(), field.row(j), field.row(j) + field.nodes(0));
     return flat;
+  }
+
+  void add(HistoryColumns &row, const solid::History &history)
+  {
+    for (std::size_t k = 0; k < history.row.size(); ++k)
+      row.add(history.columns.names[k], history.columns.units[k], history.row[k]);
+  }
+
+  /// Where the walls are, what they have swept, and whether the loading is quasi-static.
+  void add_walls(HistoryColumns &row, const World &world)
+  {
+    row.add("compression", "1", medium::compression(*world.walls));
+    row.add("swept_heat", "L/cp W0^2", world.walls->swept_heat);
+    for (const auto &wall : world.walls->walls)
+      row.add(solid::wall_name(wall.side) + " position", "W0", wall.position);
+    if (!world.solid)
+      return;
+    const auto &wall = world.walls->walls.front();
+    const double arm = world.scene->domain.size[wall.axis()] / 2 *
+                       (world.mesh->side(scene::Edge::bottom) == scene::Boundary::symmetry &&
+                                world.walls->walls.size() == 1
+                            ? 2
+                            : 1);
+    const auto number = solid::quasi_static(*world.solid, arm, wall.asked.speed);
+    row.add("inertia_travel", "W0", number.inertia_travel);
+    row.add("inertia_compression", "1", number.inertia_travel / arm);
+    row.add("force_imbalance", "1", number.force_imbalance);
   }
 
   record::Snapshot grid_snapshot(const World &world)
@@ -86,7 +114,7 @@ void observe(const scene::OutlineProbe &outline, const scene::Probe &probe, cons
   if (outline.of == scene::OutlineProbe::Of::material)
     writer.outline(probe.name, world.time, solid::material_outline(*world.solid));
   else
-    writer.outline(probe.name, world.time, medium::contour(world.phase->value, *world.mesh));
+    writer.outline(probe.name, world.time, phase_contour(world));
 }
 
 void observe(const scene::SnapshotProbe &, const scene::Probe &probe, const World &world,
@@ -103,11 +131,11 @@ void observe(const scene::HistoryProbe &, const scene::Probe &probe, const World
              record::Writer &writer)
 {
   HistoryColumns row = melt_history(world);
+  if (world.walls)
+    add_walls(row, world);
   if (world.solid)
-  {
-    const auto solid = solid::history(*world.solid);
-    for (std::size_t k = 0; k < solid.row.size(); ++k)
-      row.add(solid.columns.names[k], solid.columns.units[k], solid.row[k]);
-  }
+    add(row, solid::history(*world.solid));
+  if (world.solid && world.growth)
+    add(row, solid::growth_history(*world.solid));
   writer.table(probe.name, {row.names, row.units}, world.time, row.values);
 }
