@@ -13,40 +13,53 @@ namespace medium
 
   namespace
   {
-    /// target += centred difference of (now - before), along x, y, and both.
-    void add_differences(const Field<double> &now, const Field<double> *before, Gradients &target,
+    /// Three rows of a field round the one in hand.
+    struct RowsOf
+    {
+      RowsOf(const Field<double> &f, int j)
+          : below(f.row(j - 1)), here(f.row(j)), above(f.row(j + 1))
+      {
+      }
+      const double *below, *here, *above;
+    };
+
+    /// x, y += centred differences of (now - before) on one row.
+    void add_slopes(const RowsOf &now, const RowsOf &before, int count, double per_x, double per_y,
+                    double *x, double *y)
+    {
+#pragma omp simd
+      for (int i = 0; i < count; ++i)
+      {
+        x[i] += per_x *
+                ((now.here[i + 1] - now.here[i - 1]) - (before.here[i + 1] - before.here[i - 1]));
+        y[i] += per_y * ((now.above[i] - now.below[i]) - (before.above[i] - before.below[i]));
+      }
+    }
+
+    /// xy += centred mixed difference of (now - before) on one row.
+    void add_twists(const RowsOf &now, const RowsOf &before, int count, double per_xy, double *xy)
+    {
+#pragma omp simd
+      for (int i = 0; i < count; ++i)
+        xy[i] += per_xy *
+                 (((now.above[i + 1] - now.above[i - 1]) - (now.below[i + 1] - now.below[i - 1])) -
+                  ((before.above[i + 1] - before.above[i - 1]) -
+                   (before.below[i + 1] - before.below[i - 1])));
+    }
+
+    /// Gradients += centred differences of (now - before).
+    void add_differences(const Field<double> &now, const Field<double> &before, Gradients &target,
                          const Mesh &mesh)
     {
       const double per_x = 0.5 / mesh.spacing[0], per_y = 0.5 / mesh.spacing[1];
-      const bool mixed = !target.xy.empty();
 #pragma omp parallel for schedule(static)
       for (int j = 0; j < mesh.nodes[1]; ++j)
       {
-        const double *f = now.row(j), *above = now.row(j + 1), *below = now.row(j - 1);
-        const double *old = before ? before->row(j) : nullptr;
-        const double *old_above = before ? before->row(j + 1) : nullptr;
-        const double *old_below = before ? before->row(j - 1) : nullptr;
-        double *x = target.x.row(j), *y = target.y.row(j);
-        double *xy = mixed ? target.xy.row(j) : nullptr;
-        for (int i = 0; i < mesh.nodes[0]; ++i)
-        {
-          double dx = f[i + 1] - f[i - 1], dy = above[i] - below[i];
-          if (before)
-          {
-            dx -= old[i + 1] - old[i - 1];
-            dy -= old_above[i] - old_below[i];
-          }
-          x[i] += per_x * dx;
-          y[i] += per_y * dy;
-          if (mixed)
-          {
-            double cross = (above[i + 1] - above[i - 1]) - (below[i + 1] - below[i - 1]);
-            if (before)
-              cross -=
-                  (old_above[i + 1] - old_above[i - 1]) - (old_below[i + 1] - old_below[i - 1]);
-            xy[i] += per_x * per_y * cross;
-          }
-        }
+        const RowsOf new_rows(now, j), old_rows(before, j);
+        add_slopes(new_rows, old_rows, mesh.nodes[0], per_x, per_y, target.x.row(j),
+                   target.y.row(j));
+        if (!target.xy.empty())
+          add_twists(new_rows, old_rows, mesh.nodes[0], per_x * per_y, target.xy.row(j));
       }
     }
 
@@ -138,14 +151,11 @@ namespace medium
     fill_ghosts(f, mesh);
     if (gradients.x.empty())
     {
-      gradients.x = Field<double>(mesh);
-      gradients.y = Field<double>(mesh);
+      gradients.x = gradients.y = gradients.last = Field<double>(mesh);
       if (chosen == AdvectionScheme::cip_hermite)
         gradients.xy = Field<double>(mesh);
-      add_differences(f, nullptr, gradients, mesh);
     }
-    else
-      add_differences(f, &gradients.last, gradients, mesh);
+    add_differences(f, gradients.last, gradients, mesh); // at first from zero
     fill_gradient_ghosts(gradients, mesh);
   }
 

@@ -1,5 +1,6 @@
 #include "medium/cip.h"
 #include "medium/departure.h"
+#include "medium/upwind_cell.h"
 
 namespace medium
 {
@@ -49,34 +50,12 @@ namespace medium
                    along(x, c.up.y, c.far.y, c.up.xy, c.far.xy));
     }
 
-    /// Rows of one field, and where it is written.
-    struct HermiteRows
+    struct CarriedRows
     {
-      const double *below, *here, *above;
-      double *next;
+      FieldRows f, x, y, xy;
     };
 
-    /// Values of one field at the four corners of the upwind cell of node i.
-    struct Four
-    {
-      double near, right, up, far;
-    };
-    inline Four corners(const HermiteRows &r, int i, bool right, bool up, double scale)
-    {
-      const double e = r.here[i + 1], w = r.here[i - 1], n = r.above[i], s = r.below[i];
-      const double ne = r.above[i + 1], nw = r.above[i - 1], se = r.below[i + 1],
-                   sw = r.below[i - 1];
-      const double high = right ? ne : nw, low = right ? se : sw;
-      return {scale * r.here[i], scale * (right ? e : w), scale * (up ? n : s),
-              scale * (up ? high : low)};
-    }
-
-    struct FieldRows
-    {
-      HermiteRows f, x, y, xy;
-    };
-
-    void hermite_row(const FieldRows &r, const VelocityRows &w, int count, StepInCells dt,
+    void hermite_row(const CarriedRows &r, const VelocityRows &w, int count, StepInCells dt,
                      double cell_x, double cell_y)
     {
 #pragma omp simd
@@ -86,10 +65,10 @@ namespace medium
         const bool right = d.x >= 0., up = d.y >= 0.;
         const double sx = right ? 1. : -1., sy = up ? 1. : -1.;
         const double tx = d.x * sx, ty = d.y * sy;
-        const Four f = corners(r.f, i, right, up, 1.);
-        const Four g = corners(r.x, i, right, up, sx * cell_x);
-        const Four k = corners(r.y, i, right, up, sy * cell_y);
-        const Four m = corners(r.xy, i, right, up, sx * sy * cell_x * cell_y);
+        const UpwindCorners f = corners(r.f, i, right, up, 1.);
+        const UpwindCorners g = corners(r.x, i, right, up, sx * cell_x);
+        const UpwindCorners k = corners(r.y, i, right, up, sy * cell_y);
+        const UpwindCorners m = corners(r.xy, i, right, up, sx * sy * cell_x * cell_y);
         const Cell cell{{f.near, g.near, k.near, m.near},
                         {f.right, g.right, k.right, m.right},
                         {f.up, g.up, k.up, m.up},
@@ -107,11 +86,6 @@ namespace medium
             (cell_x * cell_y);
       }
     }
-
-    HermiteRows hermite_rows(const Field<double> &field, Field<double> &next, int j)
-    {
-      return {field.row(j - 1), field.row(j), field.row(j + 1), next.row(j)};
-    }
   } // namespace
 
   void cip_hermite(const CipFields &a, const Velocity &velocity, double dt, const Mesh &mesh)
@@ -119,8 +93,8 @@ namespace medium
     const StepInCells step{dt / mesh.spacing[0], dt / mesh.spacing[1]};
 #pragma omp parallel for schedule(static)
     for (int j = 0; j < mesh.nodes[1]; ++j)
-      hermite_row({hermite_rows(*a.f, *a.new_f, j), hermite_rows(*a.x, *a.new_x, j),
-                   hermite_rows(*a.y, *a.new_y, j), hermite_rows(*a.xy, *a.new_xy, j)},
+      hermite_row({FieldRows(*a.f, *a.new_f, j), FieldRows(*a.x, *a.new_x, j),
+                   FieldRows(*a.y, *a.new_y, j), FieldRows(*a.xy, *a.new_xy, j)},
                   velocity_rows(velocity, j), mesh.nodes[0], step, mesh.spacing[0],
                   mesh.spacing[1]);
   }

@@ -1,14 +1,13 @@
 #include "medium/eulerian.h"
 
-#include <array>
-
 namespace medium
 {
   namespace
   {
     /// Fifth-order WENO value of a one-sided difference quotient from five neighbouring
     /// differences, a furthest upwind.
-    inline double weno_difference(double a, double b, double c, double d, double e)
+    [[gnu::always_inline]] inline double weno_difference(double a, double b, double c, double d,
+                                                         double e)
     {
       const double p1 = a / 3. - 7. * b / 6. + 11. * c / 6.;
       const double p2 = -b / 6. + 5. * c / 6. + d / 3.;
@@ -26,17 +25,16 @@ namespace medium
       return (w1 * p1 + w2 * p2 + w3 * p3) / (w1 + w2 + w3);
     }
 
-    /// Upwind difference along a line of seven values, centre v[3], per node spacing.
-    inline double weno_slope(const std::array<double, 7> &v, double velocity)
+    /// Upwind difference at v[0] along a line of values v[-3 stride] ... v[3 stride], per spacing.
+    [[gnu::always_inline]] inline double weno_slope(const double *v, std::ptrdiff_t stride,
+                                                    double velocity)
     {
       const bool from_low = velocity >= 0.;
-      std::array<double, 5> d;
-      for (std::size_t m = 0; m < 5; ++m)
-      {
-        const double low = v[m + 1] - v[m], high = v[6 - m] - v[5 - m];
-        d[m] = from_low ? low : high;
-      }
-      return weno_difference(d[0], d[1], d[2], d[3], d[4]);
+      const double d0 = v[-2 * stride] - v[-3 * stride], d1 = v[-stride] - v[-2 * stride];
+      const double d2 = v[0] - v[-stride], d3 = v[stride] - v[0];
+      const double d4 = v[2 * stride] - v[stride], d5 = v[3 * stride] - v[2 * stride];
+      return weno_difference(from_low ? d0 : d5, from_low ? d1 : d4, from_low ? d2 : d3,
+                             from_low ? d3 : d2, from_low ? d4 : d1);
     }
 
     /// next = a f + b (g + dt L(g)): one Runge-Kutta stage.
@@ -53,15 +51,13 @@ namespace medium
       {
         const double *u = velocity.x.row(j), *v = velocity.y.row(j), *old = f.row(j);
         const double *c = g.row(j);
-        const double *s3 = g.row(j - 3), *s2 = g.row(j - 2), *s1 = g.row(j - 1);
-        const double *n1 = g.row(j + 1), *n2 = g.row(j + 2), *n3 = g.row(j + 3);
+        const std::ptrdiff_t pitch = g.pitch();
         double *target = next.row(j);
 #pragma omp simd
         for (int i = 0; i < mesh.nodes[0]; ++i)
         {
-          const double gx =
-              weno_slope({c[i - 3], c[i - 2], c[i - 1], c[i], c[i + 1], c[i + 2], c[i + 3]}, u[i]);
-          const double gy = weno_slope({s3[i], s2[i], s1[i], c[i], n1[i], n2[i], n3[i]}, v[i]);
+          const double gx = weno_slope(c + i, 1, u[i]);
+          const double gy = weno_slope(c + i, pitch, v[i]);
           target[i] = stage.old * old[i] + stage.now * (c[i] - x * u[i] * gx - y * v[i] * gy);
         }
       }
