@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "medium/contour.h"
-#include "melt/ledger.h"
 
 namespace
 {
@@ -84,11 +83,34 @@ namespace
   }
 } // namespace
 
+namespace
+{
+  /// The domain, or the rectangle between the walls.
+  scene::Box inner_box(const World &world)
+  {
+    return world.walls ? medium::active_box(world.walls->cuts, *world.mesh)
+                       : medium::extent(*world.mesh);
+  }
+
+  /// Integral of theta - phi/2 over the domain, or what the walls have left of it.
+  double heat_content(const World &world)
+  {
+    const Mesh &mesh = *world.mesh;
+    const auto integral = [&](const Field<double> &field)
+    {
+      return mesh.spacing.prod() * (world.walls
+                                        ? medium::weighted_sum(field, mesh, world.walls->cuts)
+                                        : medium::weighted_sum(field, mesh));
+    };
+    return integral(world.heat->value) - (world.phase ? integral(world.phase->value) / 2 : 0.);
+  }
+} // namespace
+
 std::vector<scene::Polyline> phase_contour(const World &world)
 {
   std::optional<scene::Box> between_walls;
   if (world.walls)
-    between_walls = medium::active_box(world.walls->cuts, *world.mesh);
+    between_walls = inner_box(world);
   return medium::contour(world.phase->value, *world.mesh, medium::Profile::tanh_of_distance,
                          between_walls);
 }
@@ -106,14 +128,13 @@ HistoryColumns melt_history(const World &world)
   if (!world.mesh)
     return row;
   const Mesh &mesh = *world.mesh;
-  const double cell = mesh.spacing.prod();
   if (world.phase)
   {
     const auto &phi = world.phase->value;
-    const auto contour = medium::contour(phi, mesh);
+    const auto contour = phase_contour(world);
     const Spread spread = spread_of(phi, mesh);
     row.add("solid_area", "W0^2", medium::enclosed_area(contour));
-    row.add("interface_length", "W0", medium::interface_length(contour, medium::extent(mesh)));
+    row.add("interface_length", "W0", medium::interface_length(contour, inner_box(world)));
     row.add("interface_width", "W0", mean_interface_width(phi, mesh, contour));
     row.add("phi_min", "1", spread.min);
     row.add("phi_max", "1", spread.max);
@@ -127,9 +148,7 @@ HistoryColumns melt_history(const World &world)
     row.add("theta_variance", "(L/cp)^2", spread.variance);
     row.add("theta_min", "L/cp", spread.min);
     row.add("theta_max", "L/cp", spread.max);
-    row.add("heat_content", "L/cp W0^2",
-            world.phase ? melt::heat_ledger(world.phase->value, world.heat->value, mesh).total()
-                        : medium::weighted_sum(world.heat->value, mesh) * cell);
+    row.add("heat_content", "L/cp W0^2", heat_content(world));
   }
   if (world.growth)
     row.add("active_tiles", "1",
