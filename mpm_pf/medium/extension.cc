@@ -56,11 +56,14 @@ namespace medium
     /// Nodes of a tile beyond the band; it is all liquid or all solid.
     void fill_far(double *field, const Row &row, int i0, int i1, const double *values)
     {
-      if (row.psi[i0] >= row.depth && !row.material)
-        return;
-      for (int i = i0; i < i1; ++i)
-        if (!solid(row, i))
-          field[i] = values[row.map[i]];
+      const int *map = row.map;
+      if (row.psi[i0] < row.depth)
+#pragma omp simd
+        for (int i = i0; i < i1; ++i)
+          field[i] = values[map[i]];
+      else if (row.material)
+        for (int i = i0; i < i1; ++i)
+          field[i] = row.material[i] ? field[i] : values[map[i]];
     }
 
     void fill(Field<double> &field, const Extension &extension,
