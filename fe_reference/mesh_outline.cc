@@ -128,7 +128,7 @@ namespace fe
     add_surfaces(outlines, 2. * size);
     gmsh::model::geo::synchronize();
     gmsh::option::setNumber("Mesh.MeshSizeMax", 2. * size);
-    gmsh::option::setNumber("Mesh.Algorithm", 8); // frontal, for quadrilaterals
+    gmsh::option::setNumber("Mesh.Algorithm", 6); // frontal-Delaunay; 8 crashes in Gmsh 4.8
     gmsh::option::setNumber("Mesh.RecombineAll", 1);
     gmsh::option::setNumber("Mesh.SubdivisionAlgorithm", 1); // leave quadrilaterals only
     gmsh::option::setNumber("Mesh.RandomSeed", 1);

@@ -38,9 +38,12 @@ namespace fe
         const double dx = (bound[i + 1] - bound[i]) / split, dy = (bound[j + 1] - bound[j]) / split;
         for (int k = 0; k < split * split; ++k)
         {
-          PatchSample sample{
-              cell, q, Point(bound[i] + (k % split + 0.5) * dx, bound[j] + (k / split + 0.5) * dy),
-              Point::Zero(), 0.};
+          // Undivided, the patch is its Gauss point, and the sum is Gauss quadrature.
+          const Point unit =
+              split == 1
+                  ? d.unit_point[q]
+                  : Point(bound[i] + (k % split + 0.5) * dx, bound[j] + (k / split + 0.5) * dy);
+          PatchSample sample{cell, q, unit, Point::Zero(), 0.};
           Matrix2 slope;
           sample.x = position_in(body, {cell, sample.unit}, scene::Frame::current, &slope);
           sample.area = dx * dy * (slope(0, 0) * slope(1, 1) - slope(0, 1) * slope(1, 0));

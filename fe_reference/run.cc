@@ -155,6 +155,9 @@ namespace fe
     if (run.first)
       std::cerr << banner(scene);
     const Problem problem = make_problem(scene, make_mesh(scene), command.threads);
+    if (run.first && !problem.supports.pinned.empty())
+      std::cerr << "  pinned   nothing holds the body in " << problem.supports.pinned
+                << ": its middle stays where it is in that direction\n";
     LinearSystem system(problem.mesh);
 
     std::optional<Saved> saved;

@@ -28,6 +28,32 @@ namespace fe
       }
       return box;
     }
+
+    // Pins the node nearest to the middle in every direction that no support holds.
+    void pin_floating_directions(const Discretisation &d, const scene::Box &box, Supports &supports)
+    {
+      const Point middle = 0.5 * (box.lower + box.upper);
+      const auto nearest =
+          std::min_element(d.position.begin(), d.position.end(),
+                           [&](const Point &a, const Point &b)
+                           { return (a - middle).squaredNorm() < (b - middle).squaredNorm(); });
+      const auto node = static_cast<int>(nearest - d.position.begin());
+      for (int c = 0; c < 2; ++c)
+      {
+        const bool floats =
+            std::all_of(supports.held.begin(), supports.held.end(),
+                        [c](const Supports::Held &held) { return held.nodes[c].empty(); });
+        if (!floats)
+          continue;
+        Supports::Held pin;
+        pin.nodes[c] = pin.all_nodes = {node};
+        pin.displacement[c].emplace(scene::Expression{});
+        supports.is_held[2 * node + c] = 1;
+        supports.pinned += supports.pinned.empty() ? "" : " and ";
+        supports.pinned += c == 0 ? "x" : "y";
+        supports.held.push_back(std::move(pin));
+      }
+    }
   } // namespace
 
   bool Supports::all_held() const
@@ -69,6 +95,7 @@ namespace fe
         }
       supports.held.push_back(std::move(held));
     }
+    pin_floating_directions(d, box, supports);
     return supports;
   }
 

@@ -48,8 +48,8 @@ namespace scene
           .add("cells", &Fe::cells, between(0, 10000),
                "Cells in x and y over the bodies' bounding box; 0: as fine as the domain's cells.",
                "comparable resolution without a word")
-          .add("degree", &Fe::degree, between(1, 4), "Polynomial degree of the displacement.",
-               "quadratic elements with reduced integration do not lock")
+          .add("degree", &Fe::degree, between(1, 2), "Polynomial degree of the displacement.",
+               "quadratic with volume ratios linear in a cell: does not lock, third order")
           .add("load_steps", &Fe::load_steps, between(1, 10000000),
                "Steps to the end; a step that does not converge is retried smaller.",
                "1 % of the way each resolves the yielding of all cases of the paper")
@@ -59,7 +59,8 @@ namespace scene
           .add("grading", &Fe::grading, Allowed{Dimension::none, {0., 1., true, false}},
                "0: uniform; towards 1: finer near clamped corners.", "only clamped corners need it")
           .add("past_folding", &Fe::past_folding, any(),
-               "Go on after the mesh folds, marked invalid.", "an answer on a folded mesh is none")
+               "Go on past the clock's end until the mesh folds and no equilibrium is found.",
+               "cells folded at a corner are marked invalid either way")
           .optional();
     }
   } // namespace
