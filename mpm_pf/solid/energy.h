@@ -2,7 +2,7 @@
 //
 // Elastic energy a volume for Hooke's law: q^2/6G + p^2/2K. The balance work + start - kinetic -
 // elastic - dissipated is what the scheme itself takes away (transfers damp what the grid cannot
-// carry); it must not become negative by more than the rounding of a run.
+// carry), and an error of the order of the step in the work of supports that are speeding up.
 #pragma once
 
 #include "solid/solid.h"
