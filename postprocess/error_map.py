@@ -57,13 +57,15 @@ def picture(name, a, b, labels):
     """PNG (base64) of a, b and a - b, and the text below it. None if they share no material."""
     low = np.minimum(a[0].min(axis=0), b[0].min(axis=0))
     high = np.maximum(a[0].max(axis=0), b[0].max(axis=0))
-    side = (high - low).max() / RASTER
+    # raster cells that hold two points or more of the sparser cloud, else the raster shows the lattice and not the field
+    spacing = np.sqrt((high - low).prod() / min(len(a[0]), len(b[0])))
+    side = max((high - low).max() / RASTER, 1.6 * spacing)
     cells = [max(2, int(round(extent / side))) for extent in high - low]
     fields = [raster(places, values[name], (low, high), cells) for places, values in (a, b)]
     difference = fields[0] - fields[1]
     if not np.isfinite(difference).any():
         return None
-    figure, axes = plt.subplots(1, 3, figsize=(10, 1.0 + 3.2 * min(1.6, (high - low)[1] / (high - low)[0])), constrained_layout=True)
+    figure, axes = plt.subplots(1, 3, figsize=(10, 1.4 + 3.0 * min(1.6, (high - low)[1] / (high - low)[0])), constrained_layout=True)
     extent = (low[0], high[0], low[1], high[1])
     shared = dict(vmin=np.nanmin(fields), vmax=np.nanmax(fields))
     top = np.nanmax(np.abs(difference)) or 1.0
@@ -72,7 +74,10 @@ def picture(name, a, b, labels):
         image = axis.imshow(field, origin="lower", extent=extent, interpolation="nearest", **style)
         axis.set_title(label, fontsize=9)
         axis.tick_params(labelsize=7)
-        figure.colorbar(image, ax=axis, shrink=0.8).ax.tick_params(labelsize=7)
+        axis.locator_params(nbins=5)
+        bar = figure.colorbar(image, ax=axis, location="bottom", aspect=30)
+        bar.ax.tick_params(labelsize=7)
+        bar.ax.locator_params(nbins=4)
     stream = io.BytesIO()
     figure.savefig(stream, format="png", dpi=90, metadata={"Software": None})
     plt.close(figure)

@@ -14,6 +14,7 @@
 
 #include "drift.h"
 #include "record/provenance.h"
+#include "safe.h"
 #include "section.h"
 #include "written.h"
 
@@ -76,6 +77,9 @@ namespace verify
       for (std::size_t i = 0; i < result.outcomes.size(); ++i)
       {
         check_output(result.c.runs[i], result.jobs[i], result.outcomes[i]);
+        if (result.outcomes[i].status == "diverged")
+          result.outcomes[i].last_words +=
+              nearest_safe_setting(output, result.c.name, result.c.runs[i]);
         if (!result.outcomes[i].good())
           unusable[result.c.runs[i].name] = fmt::format(
               "{} (exit code {})", result.outcomes[i].status, result.outcomes[i].exit_code);
@@ -138,7 +142,7 @@ namespace verify
                                {"OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1"}};
     job.command.log = job.base + ".log";
     job.command.time_limit_s = run.time_limit_s;
-    job.cores = run.threads * run.processes;
+    job.cores = job.command.cores = run.threads * run.processes;
     job.expect_exit = run.expect_exit;
     const std::string program = places.solver(run.solver);
     job.unavailable = !fs::exists(program);

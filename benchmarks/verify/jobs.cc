@@ -19,10 +19,10 @@ namespace verify
   {
     std::string status_of(const Job &job, const Ended &ended)
     {
+      if (ended.timed_out)
+        return "timed out"; // whatever exit code it left with when it was told to stop
       if (ended.interrupted || ended.exit_code == 130)
         return "interrupted";
-      if (ended.timed_out)
-        return "timed out";
       if (ended.exit_code == job.expect_exit)
         return job.expect_exit == 0 ? "complete" : "as expected";
       return ended.exit_code == 2 ? "bad input" : ended.exit_code == 3 ? "diverged" : "failed";

@@ -5,6 +5,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <stdexcept>
 
 #include <fcntl.h>
@@ -17,6 +18,10 @@ namespace verify
 {
   namespace
   {
+    /// A run may take this many times its limit in wall time: the machine may be busy with others,
+    /// or the run may hang.
+    constexpr double patience = 5.;
+
     volatile std::sig_atomic_t interrupt_flag = 0;
     void on_interrupt(int)
     {
@@ -56,7 +61,8 @@ namespace verify
     }
   } // namespace
 
-  Process::Process(const Command &command) : start(now()), limit(command.time_limit_s)
+  Process::Process(const Command &command)
+      : start(now()), limit(command.time_limit_s), cores(command.cores)
   {
     const int log = open(command.log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
     if (log < 0)
@@ -76,17 +82,25 @@ namespace verify
     return now() - start;
   }
 
+  double Process::cpu_s() const
+  {
+    clockid_t clock;
+    timespec time{};
+    if (clock_getcpuclockid(pid, &clock) != 0 || clock_gettime(clock, &time) != 0)
+      return 0.;
+    return (static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec)) / cores;
+  }
+
   std::optional<Ended> Process::poll()
   {
     int status = 0;
     rusage usage{};
     if (wait4(pid, &status, WNOHANG, &usage) != pid)
     {
-      if (limit > 0. && wall_s() > limit)
-      {
-        kill(-pid, wall_s() > limit + 5. ? SIGKILL : SIGTERM);
-        timed_out = true;
-      }
+      if (limit > 0. && (cpu_s() > limit || wall_s() > patience * limit) && !timed_out)
+        timed_out = wall_s();
+      if (timed_out)
+        kill(-pid, wall_s() > *timed_out + 5. ? SIGKILL : SIGTERM);
       return {};
     }
     Ended ended;
@@ -94,7 +108,7 @@ namespace verify
     ended.cpu_s = seconds(usage.ru_utime) + seconds(usage.ru_stime);
     ended.peak_rss_bytes = 1024. * static_cast<double>(usage.ru_maxrss);
     ended.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-    ended.timed_out = timed_out;
+    ended.timed_out = timed_out.has_value();
     ended.interrupted = interrupted;
     return ended;
   }

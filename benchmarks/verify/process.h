@@ -15,7 +15,8 @@ namespace verify
     std::vector<std::string> arguments;                           // arguments[0] is the program
     std::vector<std::pair<std::string, std::string>> environment; // added to ours
     std::string log;                                              // stdout and stderr
-    double time_limit_s = 0.;
+    double time_limit_s = 0.; // CPU seconds per core; wall: five times as much
+    int cores = 1;
   };
 
   struct Ended
@@ -36,10 +37,14 @@ namespace verify
     void interrupt(); // SIGTERM to the group
     double wall_s() const;
 
+    double cpu_s() const; // per core
+
   private:
     pid_t pid;
     double start, limit;
-    bool timed_out = false, interrupted = false;
+    int cores;
+    std::optional<double> timed_out; // when it was told to stop
+    bool interrupted = false;
   };
 
   /// Turns SIGINT and SIGTERM into a flag.

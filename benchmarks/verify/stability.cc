@@ -62,7 +62,7 @@ namespace verify
 
     Json axis_to_json(const Axis &axis)
     {
-      return {{"label", axis.label}, {"values", axis.values}};
+      return {{"label", axis.label}, {"values", axis.values}, {"set", axis.set}};
     }
 
     Json edge_to_json(const Edge &edge, const Map &map, const Constants &constants)
