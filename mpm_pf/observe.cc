@@ -1,5 +1,8 @@
 #include "observe.h"
 
+#include <algorithm>
+#include <limits>
+
 #include "melt_history.h"
 #include "melt_samples.h"
 #include "solid/growing.h"
@@ -27,12 +30,29 @@ namespace
     return columns;
   }
 
+  /// Nothing is there: NaN at nodes behind the walls.
+  void blank_behind_walls(std::vector<double> &nodes, const World &world)
+  {
+    const auto box = medium::active_box(world.walls->cuts, *world.mesh);
+    std::size_t n = 0;
+    for (int j = 0; j < world.mesh->nodes[1]; ++j)
+      for (int i = 0; i < world.mesh->nodes[0]; ++i, ++n)
+      {
+        const scene::Point x = world.mesh->position(i, j);
+        if ((x.array() < box.lower.array() - 1e-9).any() ||
+            (x.array() > box.upper.array() + 1e-9).any())
+          nodes[n] = std::numeric_limits<double>::quiet_NaN();
+      }
+  }
+
   /// Copies the nodes of a field, x fastest.
-  std::vector<double> nodes_of(const medium::Field<double> &field)
+  std::vector<double> nodes_of(const medium::Field<double> &field, const World &world)
   {
     std::vector<double> flat;
     for (int j = 0; j < field.nodes(1); ++j)
       flat.insert(flat.end(), field.row(j), field.row(j) + field.nodes(0));
+    if (world.walls)
+      blank_behind_walls(flat, world);
     return flat;
   }
 
@@ -42,13 +62,20 @@ namespace
       row.add(history.columns.names[k], history.columns.units[k], history.row[k]);
   }
 
+  /// "wall top" -> "wall_top": expressions of a check know columns by such names.
+  std::string column_name(std::string name)
+  {
+    std::replace(name.begin(), name.end(), ' ', '_');
+    return name;
+  }
+
   /// Where the walls are, what they have swept, and whether the loading is quasi-static.
   void add_walls(HistoryColumns &row, const World &world)
   {
     row.add("compression", "1", medium::compression(*world.walls));
     row.add("swept_heat", "L/cp W0^2", world.walls->swept_heat);
     for (const auto &wall : world.walls->walls)
-      row.add(solid::wall_name(wall.side) + " position", "W0", wall.position);
+      row.add(column_name(solid::wall_name(wall.side)) + "_position", "W0", wall.position);
     if (!world.solid)
       return;
     const auto &wall = world.walls->walls.front();
@@ -71,11 +98,11 @@ namespace
     snapshot.spacing = world.mesh->spacing;
     snapshot.nodes = world.mesh->nodes;
     if (world.phase)
-      snapshot.fields["phi"] = nodes_of(world.phase->value);
+      snapshot.fields["phi"] = nodes_of(world.phase->value, world);
     if (world.heat)
-      snapshot.fields["theta"] = nodes_of(world.heat->value);
+      snapshot.fields["theta"] = nodes_of(world.heat->value, world);
     if (world.orientation && world.orientation->varying())
-      snapshot.fields["crystal_angle"] = nodes_of(world.orientation->angle);
+      snapshot.fields["crystal_angle"] = nodes_of(world.orientation->angle, world);
     return snapshot;
   }
 } // namespace
