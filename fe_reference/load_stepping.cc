@@ -10,6 +10,7 @@ namespace fe
   {
     constexpr double smallest_fraction = 1. / 16384.; // of the nominal increment
     constexpr int easy_iterations = 6;
+    constexpr double longest_course = 10.; // times the end, where a mesh never folds
 
     // Reactions and loads over the motion of an increment, trapezoidal.
     double work(const Problem &problem, const State &old, const State &now)
@@ -152,7 +153,8 @@ namespace fe
       course.observe({march.last, march.last, march.pace, {}});
     }
     Outcome outcome;
-    while (!march.finished() || course.until_folding)
+    while (!march.finished() ||
+           (course.until_folding && march.last.time < longest_course * course.end))
     {
       if (course.interrupted())
       {

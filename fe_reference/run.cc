@@ -33,6 +33,14 @@ namespace fe
       return problem;
     }
 
+    std::string pins(const Problem &problem)
+    {
+      return problem.supports.pinned.empty()
+                 ? ""
+                 : "  pinned   nothing holds the body in " + problem.supports.pinned +
+                       ": its middle stays where it is in that direction\n";
+    }
+
     // Everything of one run that outlives its functions.
     struct Run
     {
@@ -152,12 +160,9 @@ namespace fe
   {
     refuse_active_sections(scene);
     Run run{scene, command};
-    if (run.first)
-      std::cerr << banner(scene);
     const Problem problem = make_problem(scene, make_mesh(scene), command.threads);
-    if (run.first && !problem.supports.pinned.empty())
-      std::cerr << "  pinned   nothing holds the body in " << problem.supports.pinned
-                << ": its middle stays where it is in that direction\n";
+    if (run.first)
+      std::cerr << banner(scene) << pins(problem);
     LinearSystem system(problem.mesh);
 
     std::optional<Saved> saved;

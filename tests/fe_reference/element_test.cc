@@ -49,11 +49,11 @@ namespace
                           tangent ? tangent->data() : nullptr, 0.1});
     return force;
   }
-
-  class Element : public ::testing::TestWithParam<int>
-  {
-  };
 } // namespace
+
+class Element : public ::testing::TestWithParam<int>
+{
+};
 
 TEST_P(Element, TangentIsTheDerivativeOfItsForces)
 {

@@ -27,11 +27,11 @@ namespace
     s.outcome = fe_test::solve(s.scene, s.problem);
     return s;
   }
-
-  class Probes : public ::testing::TestWithParam<int>
-  {
-  };
 } // namespace
+
+class Probes : public ::testing::TestWithParam<int>
+{
+};
 
 TEST_P(Probes, FindPointsInTheDeformedBodyAndMissThoseOutside)
 {
