@@ -1,7 +1,7 @@
 """The work-precision pages of the report, from DIR/tradeoff/<case>.json as `verify tradeoff` writes it.
 
 One plot per quantity and norm, chosen with a menu: error against CPU seconds, one colour per family, what is dominated pale, the Pareto
-front as a line; runs that diverged or ran out of time stand as crosses at the upper edge, at the cost they had.
+front of each solver dashed; runs that diverged or ran out of time stand as crosses at the upper edge, at the cost they had.
 """
 
 import json
@@ -29,38 +29,44 @@ def title(row, error):
     return f"{row['family']}: {settings(row)}; error {text}, {row['cpu_s']:.3g} s CPU"
 
 
+def cost(row):
+    return max(row["cpu_s"], 1e-3)
+
+
+def fronts(rows, measure):
+    """Solver -> its rows on the Pareto front, cheapest first."""
+    result = {}
+    for solver in dict.fromkeys(row["solver"] for row in rows):
+        own = [row for row in rows if row["solver"] == solver]
+        result[solver] = [own[k] for k in pareto_front([(cost(row), row["errors"][measure]) for row in own])]
+    return result
+
+
 def plot(trade, measure):
     """SVG of one measure ("quantity, norm")."""
-    families = list(dict.fromkeys(row["family"] for row in trade["rows"]))
-    good = [(row, row["errors"][measure]) for row in trade["rows"] if row["errors"].get(measure)]
-    bad = [row for row in trade["rows"] if row["errors"].get(measure) is None]
-    picture = Plot("CPU seconds", f"error: {measure}", log_x=True, log_y=True, size=(720, 420))
-    costs = [max(row["cpu_s"], 1e-3) for row, _ in good]
-    errors = [error for _, error in good]
-    front = pareto_front(list(zip(costs, errors)))
-    picture.line([costs[k] for k in front], [errors[k] for k in front], "Pareto front", "#8a8f94", "5 3")
+    good = [row for row in trade["rows"] if row["errors"].get(measure)]
+    lost = [row for row in trade["rows"] if not row["errors"].get(measure)]
+    picture = Plot("CPU seconds", f"error: {measure}", log_x=True, log_y=True, size=(860, 420), legend_width=230)
+    best = fronts(good, measure)
+    for solver, rows in best.items():
+        x, y = [cost(row) for row in rows], [row["errors"][measure] for row in rows]
+        picture.line(x, y, f"Pareto front, {solver}", "#8a8f94", "5 3" if solver == "mpm_pf" else "1 3", 2.5)
     uncertainty = trade["reference"].get("uncertainty", {}).get(measure)
-    if uncertainty and costs:
-        picture.line([min(costs), max(costs)], [uncertainty] * 2, "uncertainty of the reference", "#8a8f94", "2 3", 1.2)
-    for k, family in enumerate(families):
+    if uncertainty and good:
+        costs = [cost(row) for row in good]
+        picture.line([min(costs), max(costs)], [uncertainty] * 2, "uncertainty of the reference", "#8a8f94", "8 3 2 3", 1.2)
+    top = max((row["errors"][measure] for row in good), default=1.0)
+    for k, family in enumerate(dict.fromkeys(row["family"] for row in trade["rows"])):
         colour = COLOURS[k % len(COLOURS)]
+        own = sorted((row for row in good if row["family"] == family), key=cost)
+        picture.line([cost(row) for row in own], [row["errors"][measure] for row in own], family, colour, width=0.8)
         for pale in (True, False):
-            chosen = [j for j, (row, _) in enumerate(good) if row["family"] == family and (j in front) != pale]
-            named = family if not pale or not any(good[j][0]["family"] == family for j in front) else ""
-            picture.points(
-                [costs[j] for j in chosen],
-                [errors[j] for j in chosen],
-                named if chosen else "",
-                colour,
-                pale,
-                [title(good[j][0], errors[j]) for j in chosen],
-            )
-        lost = [row for row in bad if row["family"] == family]
-        if lost and errors:
-            picture.points(
-                [max(row["cpu_s"], 1e-3) for row in lost], [2.0 * max(errors)] * len(lost), "", colour,
-                titles=[title(row, None) for row in lost], shape="cross",
-            )
+            chosen = [row for row in own if (row in best[row["solver"]]) != pale]
+            titles = [title(row, row["errors"][measure]) for row in chosen]
+            picture.points([cost(row) for row in chosen], [row["errors"][measure] for row in chosen], "", colour, pale, titles)
+        edge = [row for row in lost if row["family"] == family]
+        titles = [title(row, None) for row in edge]
+        picture.points([cost(row) for row in edge], [2.0 * top] * len(edge), "", colour, False, titles, "cross")
     return picture.svg()
 
 
@@ -88,7 +94,7 @@ def table(trade):
 def page(trade):
     case = trade["case"]
     options = "".join(f'<option value="{k}">{escape(m)}</option>' for k, m in enumerate(trade["measures"]))
-    shown = f"this.parentNode.querySelectorAll('figure').forEach((f, k) => f.hidden = k != this.value)"
+    shown = "this.parentNode.querySelectorAll('figure').forEach((f, k) => f.hidden = k != this.value)"
     figures = "".join(
         f'<figure{"" if k == 0 else " hidden"}>{plot(trade, m)}</figure>' for k, m in enumerate(trade["measures"])
     )

@@ -79,14 +79,18 @@ class Axis:
 class Plot:
     """Collects lines and points, then draws them. Series are dicts with x, y and style."""
 
-    def __init__(self, x_label="", y_label="", log_x=False, log_y=False, equal=False, size=(WIDTH, HEIGHT)):
+    def __init__(self, x_label="", y_label="", log_x=False, log_y=False, equal=False, size=(WIDTH, HEIGHT), legend_width=0):
         self.x_label, self.y_label = x_label, y_label
         self.log_x, self.log_y, self.equal = log_x, log_y, equal
         self.width, self.height = size
+        self.right = self.width - (legend_width or RIGHT)  # a legend beside the frame covers no data
+        self.beside = legend_width > 0
         self.series = []
 
     def line(self, x, y, label="", colour=None, dash="", width=1.8, closed=False):
-        self.series.append(dict(kind="line", x=x, y=y, label=label, colour=colour, dash=dash, width=width, closed=closed))
+        self.series.append(
+            dict(kind="line", x=x, y=y, label=label, colour=colour, dash=dash, width=width, closed=closed)
+        )
 
     def points(self, x, y, label="", colour=None, pale=False, titles=None, shape="circle"):
         self.series.append(dict(kind="points", x=x, y=y, label=label, colour=colour, pale=pale, titles=titles, shape=shape))
@@ -94,7 +98,7 @@ class Plot:
     def svg(self):
         xs = [v for s in self.series for v in s["x"]]
         ys = [v for s in self.series for v in s["y"]]
-        x_axis = Axis(xs, LEFT, self.width - RIGHT, self.log_x)
+        x_axis = Axis(xs, LEFT, self.right, self.log_x)
         y_axis = Axis(ys, self.height - BOTTOM, TOP, self.log_y)
         if self.equal:
             self._make_equal(x_axis, y_axis)
@@ -122,7 +126,7 @@ class Plot:
             axis.low, axis.high = middle - half, middle + half
 
     def _frame(self, x_axis, y_axis):
-        bottom, right = self.height - BOTTOM, self.width - RIGHT
+        bottom, right = self.height - BOTTOM, self.right
         parts = [
             f'<rect x="{LEFT}" y="{TOP}" width="{right - LEFT}" height="{bottom - TOP}" fill="none" stroke="currentColor" stroke-opacity=".35"/>'
         ]
@@ -170,13 +174,13 @@ class Plot:
         return parts
 
     def _legend(self):
-        parts, y = [], TOP + 13
+        parts, y, x = [], TOP + 13, self.right + 2 if self.beside else LEFT + 8
         for k, series in enumerate(self.series):
             if not series["label"]:
                 continue
             colour = series["colour"] or COLOURS[k % len(COLOURS)]
             dash = f' stroke-dasharray="{series.get("dash")}"' if series.get("dash") else ""
-            parts.append(f'<path d="M{LEFT + 8} {y - 4}h18" stroke="{colour}" stroke-width="3"{dash}/>')
-            parts.append(f'<text x="{LEFT + 31}" y="{y}" fill="currentColor">{escape(series["label"])}</text>')
+            parts.append(f'<path d="M{x} {y - 4}h18" stroke="{colour}" stroke-width="3"{dash}/>')
+            parts.append(f'<text x="{x + 23}" y="{y}" fill="currentColor">{escape(series["label"])}</text>')
             y += 14
         return parts
