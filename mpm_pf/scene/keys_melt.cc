@@ -69,7 +69,10 @@ namespace scene
 
     Section noise()
     {
-      return Keys<Noise>("noise", "Thermal noise as a conserved random heat current.")
+      return Keys<Noise>(
+                 "noise",
+                 "Thermal noise as a conserved random heat current in Eq. (2); Eq. (1) gets "
+                 "none: only the conserved noise matters for side branches.")
           .require("strength", &Noise::strength, positive(Dimension::area),
                    "F_u: the variance of theta in still melt is F_u/dx^2.", "")
           .add("seed", &Noise::seed, any(), "Key of the counter-based generator.",
@@ -77,9 +80,6 @@ namespace scene
           .add("mirrored", &Noise::mirrored, any(),
                "Noise mirrored at symmetry sides (or about the domain's middle).",
                "a quarter of a noisy dendrite is a quarter only if its noise is mirrored")
-          .add("on_heat_only", &Noise::on_heat_only, any(),
-               "Noise in Eq. (2) only, not in Eq. (1).",
-               "only the conserved noise matters for side branches")
           .optional();
     }
   } // namespace

@@ -54,7 +54,6 @@ namespace scene
     double strength = 0.;
     std::uint64_t seed = 1;
     bool mirrored = false;
-    bool on_heat_only = true;
     Place place;
   };
   /// Imposed motion instead of a solid: velocity of x, y, t over the whole domain.
