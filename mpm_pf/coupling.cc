@@ -75,6 +75,14 @@ namespace
       fields.push_back({&w.orientation->angle, &w.orientation->gradients, nullptr});
     return fields;
   }
+
+  /// The melt's fields end at the walls' new places.
+  void settle(World &w)
+  {
+    medium::settle(*w.walls, *w.mesh, walled_fields(w));
+    if (w.orientation && w.orientation->varying())
+      melt::refresh(*w.orientation, *w.mesh);
+  }
 } // namespace
 
 bool coupled(const World &w)
@@ -115,8 +123,8 @@ void carry(World &w, const double dt)
     melt::turn(*w.orientation, *w.velocity, dt, *w.mesh, *w.advection); // Eq. (3)
     if (w.extension)
     {
-      medium::extend_into_liquid<double>(*w.extension, {&w.orientation->angle}, w.phase->value, {},
-                                         *w.mesh);
+      // By the distance that the velocity was extended with: new solid inherits the front's angle.
+      medium::extend_remembered(*w.extension, {&w.orientation->angle}, *w.mesh);
       melt::refresh(*w.orientation, *w.mesh);
     }
   }
@@ -125,13 +133,15 @@ void carry(World &w, const double dt)
 void grow(World &w, const double dt)
 {
   if (w.walls)
-    medium::settle(*w.walls, *w.mesh, walled_fields(w));
+    settle(w);
   if (grows_its_points(w))
     solid::before_growth(*w.solid, crystal(w));
   const long steps = std::max(1L, std::lround(std::ceil(dt / growth_step(w) * (1. - 1e-9))));
   w.growth->advance({w.phase ? &w.phase->value : nullptr, w.heat ? &w.heat->value : nullptr,
                      w.orientation.get(), w.noise.get(), w.walls ? &w.walls->cuts : nullptr},
                     dt / static_cast<double>(steps), steps);
+  if (w.walls && w.phase)
+    medium::fill_behind(w.phase->value, w.walls->cuts, *w.mesh);
   if (grows_its_points(w))
     solid::seed_new_points(*w.solid, crystal(w));
 }
