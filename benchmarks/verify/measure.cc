@@ -246,13 +246,13 @@ namespace verify
     curve.y = evaluate(take.of, constants, columns);
     curve.x = evaluate(take.abscissa.empty() ? (by_time ? "time" : "s") : take.abscissa, constants,
                        columns);
+    if (!take.between.empty())
+      curve = between(curve, by_time && !take.along_abscissa, evaluate(take.between[0], constants),
+                      evaluate(take.between[1], constants));
     if (by_time)
       for (std::size_t i = 0; i < curve.y.size(); ++i)
         if (!std::isfinite(curve.y[i]) || !std::isfinite(curve.x[i]))
           throw MissingData(fmt::format("`{}` is not finite at time {}", take.of, curve.t[i]));
-    if (!take.between.empty())
-      curve = between(curve, by_time && !take.along_abscissa, evaluate(take.between[0], constants),
-                      evaluate(take.between[1], constants));
     if (curve.y.empty())
       throw MissingData("no samples in the stretch that is asked for");
     if (!take.reduce.empty())
