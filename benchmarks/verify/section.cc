@@ -27,8 +27,10 @@ namespace verify
 
     std::string number_text(const toml::value &value)
     {
-      return value.is_integer() ? std::to_string(value.as_integer())
-                                : fmt::format("{}", value.as_floating());
+      if (value.is_integer())
+        return std::to_string(value.as_integer());
+      const std::string text = fmt::format("{}", value.as_floating());
+      return text.find_first_of(".eni") == std::string::npos ? text + ".0" : text; // stays a float
     }
 
     /// One line of TOML for a value; numbers as short as they can be read back.

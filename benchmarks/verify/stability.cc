@@ -135,6 +135,8 @@ namespace verify
         continue;
       }
       const Stability declared = read_stability(folder, options.suite);
+      if (declared.maps.empty())
+        continue;
       const Mapper mapper{declared, places, options, options.output + "/stability/runs"};
       Json result{{"format", "mpm_pf stability 1"}, {"case", name}, {"suite", options.suite}};
       for (const auto &[key, value] :

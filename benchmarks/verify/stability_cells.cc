@@ -1,5 +1,7 @@
 #include "stability_cells.h"
 
+#include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -17,12 +19,21 @@ namespace verify
         setting.replace(at, 7, value);
       return setting;
     }
+
+    void add_axis(Constants &constants, const std::string &name, const std::string &value)
+    {
+      char *end = nullptr;
+      const double number = std::strtod(value.c_str(), &end);
+      if (!value.empty() && *end == '\0')
+        constants.emplace_back(name, number);
+    }
   } // namespace
 
   Cell Mapper::cell(const Map &map, const std::size_t number, const std::string &x,
                     const std::string &y) const
   {
     Cell result;
+    result.map = map.name;
     result.x = x;
     result.y = y;
     Run run;
@@ -85,9 +96,19 @@ namespace verify
       cell.why = error.what();
       return;
     }
-    cell.kind = stability.accurate.empty() ? "not judged" : "accurate";
-    for (Check check : stability.accurate)
+    cell.kind = "not judged"; // unless something is asked of this map
+    bool judged = false;
+    add_axis(c.constants, "axis_x", cell.x);
+    add_axis(c.constants, "axis_y", cell.y);
+    for (const auto &accurate : stability.accurate)
     {
+      if (!accurate.maps.empty() &&
+          std::count(accurate.maps.begin(), accurate.maps.end(), cell.map) == 0)
+        continue;
+      Check check = accurate.check;
+      if (!judged)
+        cell.kind = "accurate";
+      judged = true;
       check.take.run = cell.name;
       for (auto &inner : check.take.with)
         inner.run = cell.name;

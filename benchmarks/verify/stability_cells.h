@@ -13,7 +13,7 @@ namespace verify
   struct Cell
   {
     std::size_t column = 0, row = 0;
-    std::string x, y, name, kind, why;
+    std::string map, x, y, name, kind, why;
     Job job;
     Outcome outcome;
     bool stable() const { return kind == "accurate" || kind == "bounded but wrong"; }

@@ -34,9 +34,10 @@ namespace verify
       return axis;
     }
 
-    Check read_accurate(Section &section, const Case &c)
+    Accurate read_accurate(Section &section, const Case &c)
     {
-      Check check;
+      Accurate accurate;
+      Check &check = accurate.check;
       check.name = section.text("name", "accurate");
       check.norm = section.required_text("norm");
       check.scale = section.expression("scale").value_or("");
@@ -57,8 +58,9 @@ namespace verify
         check.low = limits.size() == 2 ? evaluate(limits[0], c.constants) : 0.;
         check.high = evaluate(limits.back(), c.constants);
       }
+      accurate.maps = section.texts("maps");
       section.refuse_unused();
-      return check;
+      return accurate;
     }
 
     EnergyWatch read_energy(Section &section, const Case &c)

@@ -38,10 +38,18 @@ namespace verify
     double time_limit_s = 60.;
   };
 
+  /// What must hold for "accurate", in the maps named (none: in all). Its expressions know axis_x
+  /// and axis_y, the values of the cell where these are numbers.
+  struct Accurate
+  {
+    Check check; // take and against a run named "cell"
+    std::vector<std::string> maps;
+  };
+
   struct Stability
   {
     Case c;
-    std::vector<Check> accurate; // take and against a run named "cell"
+    std::vector<Accurate> accurate;
     std::optional<EnergyWatch> energy;
     std::vector<Map> maps;
   };
