@@ -29,15 +29,17 @@ namespace solid
       }
     };
 
-    // Even blocks of rows, then odd ones: neighbours never write at the same time.
+    // Call f(block, begin, end) for pieces of points. Even blocks of rows, then odd ones:
+    // neighbours never write at the same time.
     template <typename F>
-    void two_colours(const int blocks, F &&f)
+    void over_blocks(const std::vector<Block> &blocks, F &&f)
     {
+      const int count = static_cast<int>(blocks.size());
       for (const int colour : {0, 1})
       {
 #pragma omp for schedule(dynamic, 1)
-        for (int b = colour; b < blocks; b += 2)
-          f(b);
+        for (int b = colour; b < count; b += 2)
+          for_pieces(blocks[b], [&](const std::size_t p, const std::size_t q) { f(b, p, q); });
       }
     }
 
@@ -46,18 +48,16 @@ namespace solid
       Timed timed(solid, "points to nodes");
       Grid &grid = solid.grid;
       const auto nodes = static_cast<std::ptrdiff_t>(grid.nodes.size());
-      const int blocks = static_cast<int>(grid.blocks.size());
 #pragma omp parallel num_threads(solid.threads)
       {
 #pragma omp for schedule(static)
         for (std::ptrdiff_t n = 0; n < nodes; ++n)
           grid.nodes[n] = Node{};
-        two_colours(blocks,
-                    [&](const int b)
+        over_blocks(grid.blocks,
+                    [&](int, const std::size_t p, const std::size_t q)
                     {
                       scatter(solid.scheme, solid.supports.folds, solid.points,
-                              solid.loads.acceleration, 1. / solid.material.density, grid,
-                              grid.blocks[b].begin, grid.blocks[b].end);
+                              solid.loads.acceleration, 1. / solid.material.density, grid, p, q);
                     });
       }
     }
@@ -129,40 +129,34 @@ namespace solid
       const FoldTable &folds = solid.supports.folds;
       Points &points = solid.points;
       const Grid &grid = solid.grid;
-      const int blocks = static_cast<int>(grid.blocks.size());
       CellMeans *const means = scheme.anti_locking ? &solid.cells : nullptr;
-      solid.shares.assign(blocks, Share{});
-      const auto finish = [&](const int b)
+      solid.shares.assign(grid.blocks.size(), Share{});
+      const auto finish = [&](const int b, const std::size_t p, const std::size_t q)
       {
-        const Block &block = grid.blocks[b];
         if (scheme.transfer == Transfer::apic)
-          gather_affine(scheme, folds, grid, points, block.begin, block.end);
-        move(points, solid.moving, step, means, solid.shares[b], block.begin, block.end);
+          gather_affine(scheme, folds, grid, points, p, q);
+        move(points, solid.moving, step, means, solid.shares[b], p, q);
+      };
+      const auto stress = [&](const int b, const std::size_t p, const std::size_t q)
+      {
+        update_stress(points, step, means, solid.shares[b], p, q);
+        if (points.may_split && solid.steps % stretch_interval == 0)
+          stretch(points, stretch_interval * dt, p, q);
+      };
+      const auto strain = [&](const int b, const std::size_t p, const std::size_t q)
+      {
+        gather(scheme, folds, grid, points, solid.moving, p, q);
+        if (means)
+          return collect_rates(points, grid, step, *means, p, q);
+        stress(b, p, q), finish(b, p, q);
       };
 #pragma omp parallel num_threads(solid.threads)
       {
         if (means)
           clear_cells(*means);
-        two_colours(blocks,
-                    [&](const int b)
-                    {
-                      const Block &block = grid.blocks[b];
-                      gather(scheme, folds, grid, points, solid.moving, block.begin, block.end);
-                      if (means)
-                        collect_rates(points, grid, step, *means, block.begin, block.end);
-                    });
-        two_colours(blocks,
-                    [&](const int b)
-                    {
-                      const Block &block = grid.blocks[b];
-                      update_stress(points, step, means, solid.shares[b], block.begin, block.end);
-                      if (points.may_split && solid.steps % stretch_interval == 0)
-                        stretch(points, stretch_interval * dt, block.begin, block.end);
-                      if (!means)
-                        finish(b);
-                    });
+        over_blocks(grid.blocks, strain);
         if (means)
-          two_colours(blocks, finish);
+          over_blocks(grid.blocks, stress), over_blocks(grid.blocks, finish);
       }
     }
 

@@ -11,6 +11,7 @@
 // and the same bits for any number of threads.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -88,6 +89,15 @@ namespace solid
       for (int i = grid.column_begin[j - grid.row_begin]; i < grid.column_end[j - grid.row_begin];
            ++i)
         f(i, j, grid.at(i, j));
+  }
+
+  /// Call f(begin, end) for pieces of a block that fit in the nearest cache.
+  template <typename F>
+  void for_pieces(const Block &block, F &&f)
+  {
+    constexpr std::size_t piece = 256;
+    for (std::size_t p = block.begin; p < block.end; p += piece)
+      f(p, std::min(p + piece, block.end));
   }
 
   struct SortScratch
