@@ -100,7 +100,7 @@ namespace melt
     {
       tip.crossings = static_cast<int>(front.size());
       tip.radius = std::numeric_limits<double>::quiet_NaN();
-      if (tip.crossings < 7)
+      if (tip.crossings < 5)
         return;
       Eigen::MatrixXd terms(tip.crossings, 5);
       Eigen::VectorXd along(tip.crossings);
@@ -134,7 +134,8 @@ namespace melt
     Tip tip;
     tip.position = *position;
     tip.window = std::max(2. * mesh.spacing.maxCoeff(), 0.75 * width);
-    const int each_side = static_cast<int>(std::lround(tip.window / stride));
+    // One parallel a mesh line: what lies between them is interpolated, and its curvature with it.
+    const int each_side = static_cast<int>(std::lround(tip.window / mesh.spacing.minCoeff()));
     const Point aside(-unit[1], unit[0]);
     std::vector<Crossing> front;
     for (int k = -each_side; k <= each_side; ++k)
