@@ -7,6 +7,12 @@ namespace solid
   {
     typedef double Pair __attribute__((vector_size(16), may_alias, aligned(16)));
 
+    // Part of the old velocity that a point keeps; XPIC has smoothed it already.
+    double flip(const Scheme &scheme)
+    {
+      return scheme.transfer == Transfer::xpic2 ? 1. : scheme.flip_fraction;
+    }
+
     struct Gathered
     {
       Pair v, along_x, along_y; // value and its derivatives
@@ -33,7 +39,7 @@ namespace solid
     void gather_one(const Scheme &scheme, const FoldTable &table, const Grid &grid, Points &points,
                     Moving &moving, const std::size_t p)
     {
-      const double f = scheme.transfer == Transfer::xpic2 ? 1. : scheme.flip_fraction;
+      const double f = flip(scheme);
       const Stencil s = stencil_of<shape>(scheme, grid, table, points.x[p], points.y[p]);
       const Gathered g = sum_nodes(s, grid, grid.velocity.data());
       points.lxx[p] = g.along_x[0], points.lyx[p] = g.along_x[1];
@@ -49,40 +55,65 @@ namespace solid
         points.vx[p] = g.v[0], points.vy[p] = g.v[1];
     }
 
-    // Up to eight points from p on that share the node (i, j), which must not be folded.
+    // The first `count` of eight values into memory.
+    inline __attribute__((always_inline)) void store(Array<double> &to, const std::size_t p,
+                                                     const Lanes &from, const std::size_t count)
+    {
+      if (count == wide)
+        std::memcpy(&to[p], &from, sizeof from);
+      else
+        for (std::size_t q = 0; q < count; ++q)
+          to[p + q] = from[q];
+    }
+
+    struct WideGathered
+    {
+      Lanes vx{}, vy{}, lxx{}, lxy{}, lyx{}, lyy{};
+    };
+
+    // Sums over the nine nodes around the node of point k, for eight points.
+    inline __attribute__((always_inline)) WideGathered
+    sum_nodes(const WideWeights &x, const WideWeights &y, const Grid &grid, const Located &at,
+              const std::size_t k, const Array<Velocity> &field)
+    {
+      WideGathered g;
+#pragma GCC unroll 3
+      for (int b = 0; b < 3; ++b)
+      {
+        const Velocity *const v = &field[grid.at(at.i[k] - 1, at.j[k] - 1 + b)];
+        const Lanes sx = x.w[0] * v[0].x + x.w[1] * v[1].x + x.w[2] * v[2].x;
+        const Lanes sy = x.w[0] * v[0].y + x.w[1] * v[1].y + x.w[2] * v[2].y;
+        const Lanes gx = x.g[0] * v[0].x + x.g[1] * v[1].x + x.g[2] * v[2].x;
+        const Lanes gy = x.g[0] * v[0].y + x.g[1] * v[1].y + x.g[2] * v[2].y;
+        g.vx += y.w[b] * sx, g.vy += y.w[b] * sy;
+        g.lxx += y.w[b] * gx, g.lyx += y.w[b] * gy;
+        g.lxy += y.g[b] * sx, g.lyy += y.g[b] * sy;
+      }
+      return g;
+    }
+
+    // Up to eight points from p on that share the node of point k, which must not be folded.
     template <Shape shape>
-    inline __attribute__((always_inline)) void
-    gather_run(const Scheme &scheme, const Grid &grid, Points &points, const Located &at,
-               const std::size_t k, const std::size_t p, const std::size_t count)
+    void gather_run(const Scheme &scheme, const Grid &grid, Points &points, Moving &moving,
+                    const Located &at, const std::size_t k, const std::size_t p,
+                    const std::size_t count)
     {
       const WideWeights x =
           wide_weights<shape>(load(&at.s[k]), grid.dx, grid.inverse_dx, scheme.half_size[0]);
       const WideWeights y =
           wide_weights<shape>(load(&at.t[k]), grid.dx, grid.inverse_dx, scheme.half_size[1]);
-      Lanes vx{}, vy{}, lxx{}, lxy{}, lyx{}, lyy{};
-#pragma GCC unroll 3
-      for (int b = 0; b < 3; ++b)
+      WideGathered g = sum_nodes(x, y, grid, at, k, grid.velocity);
+      store(points.lxx, p, g.lxx, count), store(points.lxy, p, g.lxy, count);
+      store(points.lyx, p, g.lyx, count), store(points.lyy, p, g.lyy, count);
+      if (scheme.incremental())
       {
-        const Velocity *const v = &grid.velocity[grid.at(at.i[k] - 1, at.j[k] - 1 + b)];
-        const Lanes sx = x.w[0] * v[0].x + x.w[1] * v[1].x + x.w[2] * v[2].x;
-        const Lanes sy = x.w[0] * v[0].y + x.w[1] * v[1].y + x.w[2] * v[2].y;
-        const Lanes gx = x.g[0] * v[0].x + x.g[1] * v[1].x + x.g[2] * v[2].x;
-        const Lanes gy = x.g[0] * v[0].y + x.g[1] * v[1].y + x.g[2] * v[2].y;
-        vx += y.w[b] * sx, vy += y.w[b] * sy;
-        lxx += y.w[b] * gx, lyx += y.w[b] * gy;
-        lxy += y.g[b] * sx, lyy += y.g[b] * sy;
+        const double f = flip(scheme);
+        const WideGathered change = sum_nodes(x, y, grid, at, k, grid.change);
+        store(moving.vx, p, g.vx, count), store(moving.vy, p, g.vy, count);
+        g.vx = f * (load(&points.vx[p]) + change.vx) + (1. - f) * g.vx;
+        g.vy = f * (load(&points.vy[p]) + change.vy) + (1. - f) * g.vy;
       }
-      const auto store = [&](Array<double> &to, const Lanes &from)
-      {
-        if (count == wide)
-          std::memcpy(&to[p], &from, sizeof from);
-        else
-          for (std::size_t q = 0; q < count; ++q)
-            to[p + q] = from[q];
-      };
-      store(points.vx, vx), store(points.vy, vy);
-      store(points.lxx, lxx), store(points.lxy, lxy);
-      store(points.lyx, lyx), store(points.lyy, lyy);
+      store(points.vx, p, g.vx, count), store(points.vy, p, g.vy, count);
     }
 
     template <Shape shape>
@@ -91,7 +122,6 @@ namespace solid
                        const std::size_t end)
     {
       Located at;
-      const bool incremental = scheme.incremental();
       for (std::size_t first = begin; first < end; first += Located::most)
       {
         const std::size_t count = std::min(Located::most, end - first);
@@ -103,8 +133,8 @@ namespace solid
           while (k < stop)
           {
             const std::size_t n = std::min(stop - k, wide);
-            if (!folded && !incremental && n > 1)
-              gather_run<shape>(scheme, grid, points, at, k, first + k, n);
+            if (!folded && n > 1 && first + k + wide <= points.size())
+              gather_run<shape>(scheme, grid, points, moving, at, k, first + k, n);
             else
               for (std::size_t q = k; q < k + n; ++q)
                 gather_one<shape>(scheme, table, grid, points, moving, first + q);
