@@ -78,7 +78,7 @@ namespace melt
     bool finite = true;
     long done = 0;
 #pragma omp parallel
-    for (long step = 0; step < steps && finite; ++step)
+    for (long step = 0; step < steps; ++step) // all threads leave together, at the break
     {
       const int old = static_cast<int>(step & 1);
       if (step % judged_every == 0)
