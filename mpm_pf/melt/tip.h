@@ -4,7 +4,7 @@
 // itself would move the tip to and fro within a cell and spoil its curvature.
 //   position  the outermost crossing from solid to liquid, on a bicubic through 4 x 4 nodes
 //   radius    of curvature of a fourth-order polynomial fitted by least squares to the crossings on
-//             parallels of the ray within a window on both sides of the tip (a parabola is met
+//             parallels of the ray a mesh line apart, within a window of the tip (a parabola is met
 //             exactly); beyond a symmetry wall the mirror image counts
 //   velocity  least-squares slope of position over time across a window of travel of some cells,
 //             because the tip sticks a little at every node it passes
