@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "medium/contour.h"
+#include "melt/ledger.h"
 
 namespace
 {
@@ -95,14 +96,10 @@ namespace
   /// Integral of theta - phi/2 over the domain, or what the walls have left of it.
   double heat_content(const World &world)
   {
-    const Mesh &mesh = *world.mesh;
-    const auto integral = [&](const Field<double> &field)
-    {
-      return mesh.spacing.prod() * (world.walls
-                                        ? medium::weighted_sum(field, mesh, world.walls->cuts)
-                                        : medium::weighted_sum(field, mesh));
-    };
-    return integral(world.heat->value) - (world.phase ? integral(world.phase->value) / 2 : 0.);
+    const auto *cuts = world.walls ? &world.walls->cuts : nullptr;
+    if (world.phase)
+      return melt::heat_ledger(world.phase->value, world.heat->value, *world.mesh, cuts).total();
+    return world.mesh->spacing.prod() * medium::weighted_sum(world.heat->value, *world.mesh);
   }
 } // namespace
 

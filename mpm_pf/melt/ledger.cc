@@ -3,10 +3,11 @@
 namespace melt
 {
   HeatLedger heat_ledger(const medium::Field<double> &phi, const medium::Field<double> &theta,
-                         const medium::Mesh &mesh)
+                         const medium::Mesh &mesh, const medium::Cuts *cuts)
   {
     const double cell = mesh.spacing[0] * mesh.spacing[1];
-    return {cell * medium::weighted_sum(theta, mesh),
-            -0.5 * cell * medium::weighted_sum(phi, mesh)};
+    const auto sum = [&](const medium::Field<double> &field)
+    { return cuts ? medium::weighted_sum(field, mesh, *cuts) : medium::weighted_sum(field, mesh); };
+    return {cell * sum(theta), -0.5 * cell * sum(phi)};
   }
 } // namespace melt

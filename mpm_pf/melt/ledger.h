@@ -5,6 +5,7 @@
 // Laplacian is symmetric under the border weights (1/2 on sides, 1/4 in corners).
 #pragma once
 
+#include "medium/cuts.h"
 #include "medium/field.h"
 
 namespace melt
@@ -16,7 +17,7 @@ namespace melt
     double total() const { return sensible + latent; }
   };
 
-  /// The ledger of the fields as they are.
+  /// The ledger of the fields as they are; `cuts`: only what the moving walls have left of them.
   HeatLedger heat_ledger(const medium::Field<double> &phi, const medium::Field<double> &theta,
-                         const medium::Mesh &);
+                         const medium::Mesh &, const medium::Cuts *cuts = nullptr);
 } // namespace melt
