@@ -52,7 +52,7 @@ namespace solid
       {
 #pragma omp for schedule(static)
         for (std::ptrdiff_t n = 0; n < nodes; ++n)
-          grid.nodes[n] = Node{};
+          grid.mass[n] = 0., grid.nodes[n] = Node{};
         over_blocks(grid.blocks,
                     [&](int, const std::size_t p, const std::size_t q)
                     {
@@ -72,13 +72,13 @@ namespace solid
 #pragma omp parallel for schedule(static) num_threads(solid.threads)
       for (std::ptrdiff_t n = 0; n < nodes; ++n)
       {
-        const Lanes &node = grid.nodes[n].lanes;
-        const double mass = node[0], inverse = mass > 0. ? 1. / mass : 0.;
+        const Quad &node = grid.nodes[n].motion; // {p_x, f_x, p_y, f_y}
+        const double mass = grid.mass[n], inverse = mass > 0. ? 1. / mass : 0.;
         const double push = mass > least ? dt * inverse : 0.;
-        grid.velocity[n] = {node[1] * inverse + push * node[3], // Eq. (4)
-                            node[2] * inverse + push * node[4]};
+        grid.velocity[n] = {node[0] * inverse + push * node[1], // Eq. (4)
+                            node[2] * inverse + push * node[3]};
         if (with_change)
-          grid.change[n] = {push * node[3], push * node[4]};
+          grid.change[n] = {push * node[1], push * node[3]};
       }
     }
 

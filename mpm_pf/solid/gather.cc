@@ -1,119 +1,88 @@
-#include "solid/stencil.h"
-#include "solid/wide.h"
+#include "solid/chunk.h"
 
 namespace solid
 {
   namespace
   {
-    typedef double Pair __attribute__((vector_size(16), may_alias, aligned(16)));
-
     // Part of the old velocity that a point keeps; XPIC has smoothed it already.
     double flip(const Scheme &scheme)
     {
       return scheme.transfer == Transfer::xpic2 ? 1. : scheme.flip_fraction;
     }
 
-    struct Gathered
+    // Sums over the nodes, point by point: {v_x, dv_x/dx, v_y, dv_y/dx}, {dv_x/dy, -, dv_y/dy, -}.
+    struct Sums
     {
-      Pair v, along_x, along_y; // value and its derivatives
+      alignas(64) double along_x[4 * chunk_points], along_y[4 * chunk_points];
     };
 
-    inline __attribute__((always_inline)) Gathered sum_nodes(const Stencil &s, const Grid &grid,
-                                                             const Velocity *field)
+    // Points [k, end) of the chunk share the nine nodes around (i, j).
+    inline __attribute__((always_inline)) void sum_run(const ChunkWeights &x, const ChunkWeights &y,
+                                                       const Grid &grid,
+                                                       const Array<Velocity> &field, Sums &sums,
+                                                       const int i, const int j, std::size_t k,
+                                                       const std::size_t end)
     {
-      Gathered g{};
+      Quad node[3][3];
 #pragma GCC unroll 3
       for (int b = 0; b < 3; ++b)
       {
-        const auto *row = reinterpret_cast<const Pair *>(field + grid.at(s.i - 1, s.j - 1 + b));
-        const Pair value = s.x.w[0] * row[0] + s.x.w[1] * row[1] + s.x.w[2] * row[2];
-        const Pair slope = s.x.g[0] * row[0] + s.x.g[1] * row[1] + s.x.g[2] * row[2];
-        g.v += s.y.w[b] * value;
-        g.along_x += s.y.w[b] * slope;
-        g.along_y += s.y.g[b] * value;
-      }
-      return g;
-    }
-
-    template <Shape shape>
-    void gather_one(const Scheme &scheme, const FoldTable &table, const Grid &grid, Points &points,
-                    Moving &moving, const std::size_t p)
-    {
-      const double f = flip(scheme);
-      const Stencil s = stencil_of<shape>(scheme, grid, table, points.x[p], points.y[p]);
-      const Gathered g = sum_nodes(s, grid, grid.velocity.data());
-      points.lxx[p] = g.along_x[0], points.lyx[p] = g.along_x[1];
-      points.lxy[p] = g.along_y[0], points.lyy[p] = g.along_y[1];
-      if (scheme.incremental())
-      {
-        const Pair change = sum_nodes(s, grid, grid.change.data()).v;
-        moving.vx[p] = g.v[0], moving.vy[p] = g.v[1];
-        points.vx[p] = f * (points.vx[p] + change[0]) + (1. - f) * g.v[0];
-        points.vy[p] = f * (points.vy[p] + change[1]) + (1. - f) * g.v[1];
-      }
-      else
-        points.vx[p] = g.v[0], points.vy[p] = g.v[1];
-    }
-
-    // The first `count` of eight values into memory.
-    inline __attribute__((always_inline)) void store(Array<double> &to, const std::size_t p,
-                                                     const Lanes &from, const std::size_t count)
-    {
-      if (count == wide)
-        std::memcpy(&to[p], &from, sizeof from);
-      else
-        for (std::size_t q = 0; q < count; ++q)
-          to[p + q] = from[q];
-    }
-
-    struct WideGathered
-    {
-      Lanes vx{}, vy{}, lxx{}, lxy{}, lyx{}, lyy{};
-    };
-
-    // Sums over the nine nodes around the node of point k, for eight points.
-    inline __attribute__((always_inline)) WideGathered
-    sum_nodes(const WideWeights &x, const WideWeights &y, const Grid &grid, const Located &at,
-              const std::size_t k, const Array<Velocity> &field)
-    {
-      WideGathered g;
+        const Velocity *const row = &field[grid.at(i - 1, j - 1 + b)];
 #pragma GCC unroll 3
-      for (int b = 0; b < 3; ++b)
-      {
-        const Velocity *const v = &field[grid.at(at.i[k] - 1, at.j[k] - 1 + b)];
-        const Lanes sx = x.w[0] * v[0].x + x.w[1] * v[1].x + x.w[2] * v[2].x;
-        const Lanes sy = x.w[0] * v[0].y + x.w[1] * v[1].y + x.w[2] * v[2].y;
-        const Lanes gx = x.g[0] * v[0].x + x.g[1] * v[1].x + x.g[2] * v[2].x;
-        const Lanes gy = x.g[0] * v[0].y + x.g[1] * v[1].y + x.g[2] * v[2].y;
-        g.vx += y.w[b] * sx, g.vy += y.w[b] * sy;
-        g.lxx += y.w[b] * gx, g.lyx += y.w[b] * gy;
-        g.lxy += y.g[b] * sx, g.lyy += y.g[b] * sy;
+        for (int a = 0; a < 3; ++a)
+        {
+          const Pair v = load<Pair>(&row[a].x);
+          node[b][a] = __builtin_shufflevector(v, v, 0, 0, 1, 1);
+        }
       }
-      return g;
+      for (; k < end; ++k)
+      {
+        const Quad left = x.pair(0, k), middle = x.pair(1, k), right = x.pair(2, k);
+        Quad along_x{}, along_y{};
+#pragma GCC unroll 3
+        for (int b = 0; b < 3; ++b)
+        {
+          const Quad row = left * node[b][0] + middle * node[b][1] + right * node[b][2];
+          along_x += y.pairs[b][2 * k] * row;
+          along_y += y.pairs[b][2 * k + 1] * row;
+        }
+        store(&sums.along_x[4 * k], along_x), store(&sums.along_y[4 * k], along_y);
+      }
     }
 
-    // Up to eight points from p on that share the node of point k, which must not be folded.
     template <Shape shape>
-    void gather_run(const Scheme &scheme, const Grid &grid, Points &points, Moving &moving,
-                    const Located &at, const std::size_t k, const std::size_t p,
-                    const std::size_t count)
+    void sum_nodes(const Chunk<shape, false> &chunk, const Grid &grid, const Array<Velocity> &field,
+                   Sums &sums, const std::size_t count)
     {
-      const WideWeights x =
-          wide_weights<shape>(load(&at.s[k]), grid.dx, grid.inverse_dx, scheme.half_size[0]);
-      const WideWeights y =
-          wide_weights<shape>(load(&at.t[k]), grid.dx, grid.inverse_dx, scheme.half_size[1]);
-      WideGathered g = sum_nodes(x, y, grid, at, k, grid.velocity);
-      store(points.lxx, p, g.lxx, count), store(points.lxy, p, g.lxy, count);
-      store(points.lyx, p, g.lyx, count), store(points.lyy, p, g.lyy, count);
-      if (scheme.incremental())
+      for (std::size_t k = 0; k < count;)
       {
-        const double f = flip(scheme);
-        const WideGathered change = sum_nodes(x, y, grid, at, k, grid.change);
-        store(moving.vx, p, g.vx, count), store(moving.vy, p, g.vy, count);
-        g.vx = f * (load(&points.vx[p]) + change.vx) + (1. - f) * g.vx;
-        g.vy = f * (load(&points.vy[p]) + change.vy) + (1. - f) * g.vy;
+        const std::size_t stop = chunk.run_end(k, count);
+        sum_run(chunk.x, chunk.y, grid, field, sums, chunk.i[k], chunk.j[k], k, stop);
+        k = stop;
       }
-      store(points.vx, p, g.vx, count), store(points.vy, p, g.vy, count);
+    }
+
+    void give(const Scheme &scheme, const Sums &velocity, const Sums &change, Points &points,
+              Moving &moving, const std::size_t begin, const std::size_t count)
+    {
+      for (std::size_t k = 0; k < count; k += wide)
+      {
+        const auto put = [&](Array<double> &to, const Lanes &from)
+        { store_some(&to[begin + k], from, count - k); };
+        auto [vx, lxx, vy, lyx] = load_quads(&velocity.along_x[4 * k]);
+        const FourLanes along_y = load_quads(&velocity.along_y[4 * k]);
+        put(points.lxx, lxx), put(points.lxy, along_y.a);
+        put(points.lyx, lyx), put(points.lyy, along_y.c);
+        if (scheme.incremental())
+        {
+          const double f = flip(scheme);
+          const FourLanes by = load_quads(&change.along_x[4 * k]);
+          put(moving.vx, vx), put(moving.vy, vy);
+          vx = f * (load_some(&points.vx[begin + k], count - k) + by.a) + (1. - f) * vx;
+          vy = f * (load_some(&points.vy[begin + k], count - k) + by.c) + (1. - f) * vy;
+        }
+        put(points.vx, vx), put(points.vy, vy);
+      }
     }
 
     template <Shape shape>
@@ -121,26 +90,16 @@ namespace solid
                        Points &points, Moving &moving, const std::size_t begin,
                        const std::size_t end)
     {
-      Located at;
-      for (std::size_t first = begin; first < end; first += Located::most)
+      Chunk<shape, false> chunk;
+      Sums velocity, change;
+      for (std::size_t first = begin; first < end; first += chunk_points)
       {
-        const std::size_t count = std::min(Located::most, end - first);
-        at.locate(grid, points, first, count);
-        for (std::size_t k = 0; k < count;)
-        {
-          const std::size_t stop = at.run_end(k, count);
-          const bool folded = grid.fold[grid.at(at.i[k], at.j[k])] != 0;
-          while (k < stop)
-          {
-            const std::size_t n = std::min(stop - k, wide);
-            if (!folded && n > 1 && first + k + wide <= points.size())
-              gather_run<shape>(scheme, grid, points, moving, at, k, first + k, n);
-            else
-              for (std::size_t q = k; q < k + n; ++q)
-                gather_one<shape>(scheme, table, grid, points, moving, first + q);
-            k += n;
-          }
-        }
+        const std::size_t count = std::min(chunk_points, end - first);
+        chunk.prepare(scheme, grid, table, points, first, count);
+        sum_nodes(chunk, grid, grid.velocity, velocity, count);
+        if (scheme.incremental())
+          sum_nodes(chunk, grid, grid.change, change, count);
+        give(scheme, velocity, change, points, moving, first, count);
       }
     }
 

@@ -94,7 +94,7 @@ namespace solid
       grid.offset[row] = nodes - grid.column_begin[row];
       nodes += std::max(0, grid.column_end[row] - grid.column_begin[row]);
     }
-    grid.nodes.assign(nodes, Node{});
+    grid.mass.assign(nodes, 0.), grid.nodes.assign(nodes, Node{});
     grid.velocity.assign(nodes, Velocity{0., 0.});
     grid.change.assign(with_change ? nodes : 0, Velocity{0., 0.});
     grid.fold.assign(nodes, 0);

@@ -18,20 +18,19 @@
 
 #include "solid/points.h"
 
-// Vectors of 64 bytes are passed between inlined functions only: their calling convention on
+// Vectors of 32 and 64 bytes are passed between inlined functions only: their calling convention on
 // machines without such registers is of no interest.
 #pragma GCC diagnostic ignored "-Wpsabi"
 
 namespace solid
 {
-  /// What one node gathers: mass, momentum (x, y), force (x, y), three spare. One cache line.
-  typedef double Lanes __attribute__((vector_size(64), may_alias));
+  /// What one node gathers beside its mass: momentum p and force f, {p_x, f_x, p_y, f_y}.
+  typedef double Quad __attribute__((vector_size(32), may_alias));
   struct Node
   {
-    Lanes lanes;
-    double mass() const { return lanes[0]; }
-    Point momentum() const { return {lanes[1], lanes[2]}; }
-    Point force() const { return {lanes[3], lanes[4]}; }
+    Quad motion;
+    Point momentum() const { return {motion[0], motion[2]}; }
+    Point force() const { return {motion[1], motion[3]}; }
   };
   struct Velocity
   {
@@ -57,6 +56,7 @@ namespace solid
     std::vector<int> column_begin, column_end; // of row j at [j - row_begin]
     std::vector<std::ptrdiff_t> offset;        // node (i, j) is offset[j - row_begin] + i
     std::vector<Block> blocks;
+    Array<double> mass;
     Array<Node> nodes;
     Array<Velocity> velocity;       // after the step's forces and supports
     Array<Velocity> change;         // of velocity over the step: kept for flip and xpic only

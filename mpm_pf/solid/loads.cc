@@ -67,7 +67,7 @@ namespace solid
       double share[9], sum = 0.;
       for (int k = 0; k < 9; ++k)
       {
-        const double mass = grid.nodes[grid.at(s.i - 1 + k % 3, s.j - 1 + k / 3)].mass();
+        const double mass = grid.mass[grid.at(s.i - 1 + k % 3, s.j - 1 + k / 3)];
         share[k] = s.x.w[k % 3] * s.y.w[k / 3] * std::min(1., mass / (0.1 * full_mass));
         sum += share[k];
       }
@@ -75,7 +75,7 @@ namespace solid
       {
         const std::ptrdiff_t n = grid.at(s.i - 1 + k % 3, s.j - 1 + k / 3);
         const Point part = share[k] / sum * force;
-        grid.nodes[n].lanes[3] += part[0], grid.nodes[n].lanes[4] += part[1];
+        grid.nodes[n].motion += Quad{0., part[0], 0., part[1]};
         loads.pushes.push_back({n, part});
       }
     }

@@ -129,7 +129,7 @@ namespace solid
   {
     const Grid &grid = solid.grid;
     const SortScratch &scratch = solid.scratch;
-    const double per_node = sizeof(Node) + sizeof(Velocity) + 1. +
+    const double per_node = sizeof(double) + sizeof(Node) + sizeof(Velocity) + 1. +
                             (grid.change.empty() ? 0. : sizeof(Velocity)) +
                             (solid.cells.rate.empty() ? 0. : 2. * sizeof(CellSum));
     return {{"points",

@@ -16,9 +16,9 @@ namespace solid
                     if (i < 0 || j < 0 || i > domain.cells[0] || j > domain.cells[1])
                       return;
                     const std::size_t k = static_cast<std::size_t>(j) * (domain.cells[0] + 1) + i;
-                    mean.x[k] += weight * grid.nodes[n].lanes[1];
-                    mean.y[k] += weight * grid.nodes[n].lanes[2];
-                    mean.mass[k] += weight * grid.nodes[n].mass();
+                    mean.x[k] += weight * grid.nodes[n].momentum()[0];
+                    mean.y[k] += weight * grid.nodes[n].momentum()[1];
+                    mean.mass[k] += weight * grid.mass[n];
                   });
   }
 

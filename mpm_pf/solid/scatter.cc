@@ -1,85 +1,88 @@
-#include "solid/stencil.h"
-#include "solid/wide.h"
+#include "solid/chunk.h"
 
 namespace solid
 {
   namespace
   {
-    // One point by itself: where shape functions are folded, and what a run leaves over.
-    template <Shape shape, bool affine>
-    void scatter_one(const Scheme &scheme, const FoldTable &table, const Points &points,
-                     const Acceleration &force, const double inverse_density, Grid &grid,
-                     const std::size_t p)
+    // Four numbers a point in the order of a node, {p_x, f_x, p_y, f_y}. The node (a, b) gets
+    //   w_a w_b plain + {w_a d_a, g_a} w_b along_x + w_a {w_b d_b, g_b} along_y
+    // and the mass m w_a w_b, kept as m w_a in one vector for the three columns a.
+    struct Carried
     {
-      const Stencil s = stencil_of<shape>(scheme, grid, table, points.x[p], points.y[p]);
+      alignas(64) double plain[4 * chunk_points], along_x[4 * chunk_points];
+      alignas(64) double along_y[4 * chunk_points], mass[4 * chunk_points];
+    };
+
+    template <bool affine>
+    void fill(Carried &to, const Points &points, const Acceleration &force,
+              const double inverse_density, const ChunkWeights &x, const std::size_t begin,
+              const std::size_t count)
+    {
       const bool uniform = force.x.empty();
-      const double m = points.mass[p], volume = m * inverse_density * points.jacobian[p];
-      const double bx = uniform ? force.uniform[0] : force.x[p];
-      const double by = uniform ? force.uniform[1] : force.y[p];
-      const double fxx = -volume * points.sxx[p], fxy = -volume * points.sxy[p];
-      const double fyy = -volume * points.syy[p];
-      for (int b = 0; b < 3; ++b)
-        for (int a = 0; a < 3; ++a)
+      for (std::size_t k = 0; k < count; k += wide)
+      {
+        const auto values = [&](const Array<double> &array)
+        { return load_some(&array[begin + k], count - k); };
+        const Lanes none{}, m = values(points.mass);
+        const Lanes volume = m * inverse_density * values(points.jacobian);
+        // - V sigma grad w + w m b, Eq. (4)
+        const Lanes fxx = -volume * values(points.sxx), fyy = -volume * values(points.syy);
+        const Lanes fxy = -volume * values(points.sxy);
+        const Lanes bx = uniform ? none + force.uniform[0] : values(force.x);
+        const Lanes by = uniform ? none + force.uniform[1] : values(force.y);
+        Lanes pxx = none, pxy = none, pyx = none, pyy = none;
+        if constexpr (affine)
         {
-          const double w = s.x.w[a] * s.y.w[b], mw = m * w;
-          const double gx = s.x.g[a] * s.y.w[b], gy = s.x.w[a] * s.y.g[b];
-          double vx = points.vx[p], vy = points.vy[p];
-          if constexpr (affine)
-          {
-            vx += points.lxx[p] * s.x.d[a] + points.lxy[p] * s.y.d[b];
-            vy += points.lyx[p] * s.x.d[a] + points.lyy[p] * s.y.d[b];
-          }
-          // - V sigma grad w + w m b, Eq. (4)
-          grid.nodes[grid.at(s.i - 1 + a, s.j - 1 + b)].lanes += Lanes{
-              mw, mw * vx, mw * vy, fxx * gx + fxy * gy + mw * bx, fxy * gx + fyy * gy + mw * by,
-              0., 0.,      0.};
+          pxx = m * values(points.lxx), pxy = m * values(points.lxy);
+          pyx = m * values(points.lyx), pyy = m * values(points.lyy);
         }
+        store_quads(&to.plain[4 * k], m * values(points.vx), m * bx, m * values(points.vy), m * by);
+        store_quads(&to.along_x[4 * k], pxx, fxx, pyx, fxy);
+        store_quads(&to.along_y[4 * k], pxy, fxy, pyy, fyy);
+        store_quads(&to.mass[4 * k], m * load<Lanes>(&x.w[0][k]), m * load<Lanes>(&x.w[1][k]),
+                    m * load<Lanes>(&x.w[2][k]), none);
+      }
     }
 
-    // Up to eight points from p on that share the node (i, j), which must not be folded.
-    template <Shape shape, bool affine>
-    inline __attribute__((always_inline)) void
-    scatter_run(const Scheme &scheme, const Points &points, const Acceleration &force,
-                const double inverse_density, Grid &grid, const Located &at, const std::size_t k,
-                const std::size_t p, const std::size_t count)
+    // Points [k, end) of the chunk share the nine nodes around (i, j).
+    inline __attribute__((always_inline)) void add_run(const ChunkWeights &x, const ChunkWeights &y,
+                                                       const Carried &from, Grid &grid, const int i,
+                                                       const int j, std::size_t k,
+                                                       const std::size_t end)
     {
-      const WideWeights x =
-          wide_weights<shape>(load(&at.s[k]), grid.dx, grid.inverse_dx, scheme.half_size[0]);
-      const WideWeights y =
-          wide_weights<shape>(load(&at.t[k]), grid.dx, grid.inverse_dx, scheme.half_size[1]);
-      const Lanes none{}, number{0., 1., 2., 3., 4., 5., 6., 7.};
-      const Lanes m = number < none + static_cast<double>(count) ? load(&points.mass[p]) : none;
-      const Lanes volume = m * inverse_density * load(&points.jacobian[p]);
-      const Lanes fxx = -volume * load(&points.sxx[p]), fxy = -volume * load(&points.sxy[p]);
-      const Lanes fyy = -volume * load(&points.syy[p]);
-      const Lanes px = m * load(&points.vx[p]), py = m * load(&points.vy[p]);
-      Lanes pxx = none, pxy = none, pyx = none, pyy = none;
-      if constexpr (affine)
+      Quad sum[3][3] = {}, mass[3] = {};
+      for (; k < end; ++k)
       {
-        pxx = m * load(&points.lxx[p]), pxy = m * load(&points.lxy[p]);
-        pyx = m * load(&points.lyx[p]), pyy = m * load(&points.lyy[p]);
-      }
-      const bool uniform = force.x.empty();
-      const Lanes bx = m * (uniform ? none + force.uniform[0] : load(&force.x[p]));
-      const Lanes by = m * (uniform ? none + force.uniform[1] : load(&force.y[p]));
-      const std::ptrdiff_t row[3] = {grid.at(at.i[k] - 1, at.j[k] - 1),
-                                     grid.at(at.i[k] - 1, at.j[k]),
-                                     grid.at(at.i[k] - 1, at.j[k] + 1)};
+        const Quad plain = load<Quad>(&from.plain[4 * k]), m = load<Quad>(&from.mass[4 * k]);
+        const Quad along_x = load<Quad>(&from.along_x[4 * k]);
+        const Quad along_y = load<Quad>(&from.along_y[4 * k]);
+        Quad left[3], right[3];
 #pragma GCC unroll 3
-      for (int a = 0; a < 3; ++a)
-      {
-        const Lanes w = x.w[a], g = x.g[a], wm = w * m;
-        const Lanes wpx = w * (px + x.d[a] * pxx), wpy = w * (py + x.d[a] * pyx);
-        const Lanes wxy = w * pxy, wyy = w * pyy;
-        const Lanes gx = g * fxx + w * bx, gy = g * fxy + w * by; // Eq. (4)
-        const Lanes hx = w * fxy, hy = w * fyy;
+        for (int a = 0; a < 3; ++a)
+        {
+          left[a] = x.weight(a, k) * plain + x.pair(a, k) * along_x;
+          right[a] = x.weight(a, k) * along_y;
+        }
 #pragma GCC unroll 3
         for (int b = 0; b < 3; ++b)
         {
-          const Lanes wb = y.w[b], gb = y.g[b], db = wb * y.d[b];
-          grid.nodes[row[b] + a].lanes += sums(wb * wm, wb * wpx + db * wxy, wb * wpy + db * wyy,
-                                               wb * gx + gb * hx, wb * gy + gb * hy);
+          const double w = y.weight(b, k);
+          const Quad pair = y.pair(b, k);
+          mass[b] += w * m;
+#pragma GCC unroll 3
+          for (int a = 0; a < 3; ++a)
+            sum[b][a] += w * left[a], sum[b][a] += pair * right[a];
         }
+      }
+#pragma GCC unroll 3
+      for (int b = 0; b < 3; ++b)
+      {
+        const std::ptrdiff_t n = grid.at(i - 1, j - 1 + b);
+        // The fourth column gets nothing; every row has room for it (grid.cc).
+        store<Quad>(&grid.mass[n], load<Quad>(&grid.mass[n]) + mass[b]);
+#pragma GCC unroll 3
+        for (int a = 0; a < 3; ++a)
+          grid.nodes[n + a].motion += sum[b][a];
       }
     }
 
@@ -88,27 +91,18 @@ namespace solid
                         const Acceleration &force, const double inverse_density, Grid &grid,
                         const std::size_t begin, const std::size_t end)
     {
-      Located at;
-      for (std::size_t first = begin; first < end; first += Located::most)
+      Chunk<shape, true> chunk;
+      Carried carried;
+      for (std::size_t first = begin; first < end; first += chunk_points)
       {
-        const std::size_t count = std::min(Located::most, end - first);
-        at.locate(grid, points, first, count);
+        const std::size_t count = std::min(chunk_points, end - first);
+        chunk.prepare(scheme, grid, table, points, first, count);
+        fill<affine>(carried, points, force, inverse_density, chunk.x, first, count);
         for (std::size_t k = 0; k < count;)
         {
-          const std::size_t stop = at.run_end(k, count);
-          const bool folded = grid.fold[grid.at(at.i[k], at.j[k])] != 0;
-          while (k < stop)
-          {
-            const std::size_t n = std::min(stop - k, wide);
-            if (!folded && n > 2 && first + k + wide <= points.size())
-              scatter_run<shape, affine>(scheme, points, force, inverse_density, grid, at, k,
-                                         first + k, n);
-            else
-              for (std::size_t q = k; q < k + n; ++q)
-                scatter_one<shape, affine>(scheme, table, points, force, inverse_density, grid,
-                                           first + q);
-            k += n;
-          }
+          const std::size_t stop = chunk.run_end(k, count);
+          add_run(chunk.x, chunk.y, carried, grid, chunk.i[k], chunk.j[k], k, stop);
+          k = stop;
         }
       }
     }

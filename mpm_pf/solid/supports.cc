@@ -74,17 +74,18 @@ namespace solid
               const std::array<bool, 2> &held, const Point &v, const double dt)
     {
       Node &node = grid.nodes[n];
+      const double mass = grid.mass[n];
       Velocity &velocity = grid.velocity[n];
       Point now{velocity.x, velocity.y}, impulse = Point::Zero();
       for (int c = 0; c < 2; ++c)
         if (held[c])
         {
-          impulse[c] = node.mass() * (v[c] - now[c]);
+          impulse[c] = mass * (v[c] - now[c]);
           now[c] = v[c];
           if (!grid.change.empty())
             (c == 0 ? grid.change[n].x : grid.change[n].y) =
-                v[c] - (node.mass() > 0. ? node.momentum()[c] / node.mass() : v[c]);
-          node.lanes[1 + c] = node.mass() * v[c];
+                v[c] - (mass > 0. ? node.momentum()[c] / mass : v[c]);
+          node.motion[2 * c] = mass * v[c];
         }
       velocity = {now[0], now[1]};
       if (!support)
@@ -171,7 +172,7 @@ namespace solid
       project(region, support.motion, scheme, supports.folds, points, fraction, grid, t, dt);
       const std::array<bool, 2> held{support.motion.holds(0), support.motion.holds(1)};
       for (std::size_t n = 0; n < region.sums.size(); ++n)
-        if (const auto &[mass, px, py] = region.sums[n]; mass > 0.5 * grid.nodes[n].mass())
+        if (const auto &[mass, px, py] = region.sums[n]; mass > 0.5 * grid.mass[n])
           give(supports, &support, grid, static_cast<std::ptrdiff_t>(n), held,
                {px / mass, py / mass}, dt);
     }

@@ -29,11 +29,11 @@ namespace solid
     for (int b = 0; b < 3; ++b)
       for (int a = 0; a < 3; ++a)
       {
-        const Node &node = grid.nodes[grid.at(s.i - 1 + a, s.j - 1 + b)];
-        if (node.mass() <= 0.)
+        const std::ptrdiff_t n = grid.at(s.i - 1 + a, s.j - 1 + b);
+        if (grid.mass[n] <= 0.)
           continue;
         const double w = s.x.w[a] * s.y.w[b];
-        sum += w / node.mass() * node.momentum();
+        sum += w / grid.mass[n] * grid.nodes[n].momentum();
         weight += w;
       }
     return weight > 1e-9 ? Point(sum / weight) : Point(0., 0.);

@@ -38,8 +38,8 @@ namespace solid
       each(p,
            [&](const std::ptrdiff_t n, const double w)
            {
-             v += grid.nodes[n].mass() > 0.
-                      ? Point(w * grid.nodes[n].momentum() / grid.nodes[n].mass())
+             v += grid.mass[n] > 0.
+                      ? Point(w * grid.nodes[n].momentum() / grid.mass[n])
                       : Point(0., 0.);
            });
       once[p] = v;
@@ -51,7 +51,7 @@ namespace solid
       each(p,
            [&](const std::ptrdiff_t n, const double w)
            {
-             twice += grid.nodes[n].mass() > 0. ? Point(w * again[n] / grid.nodes[n].mass())
+             twice += grid.mass[n] > 0. ? Point(w * again[n] / grid.mass[n])
                                                 : Point(0., 0.);
            });
       points.vx[p] = 2. * once[p][0] - twice[0], points.vy[p] = 2. * once[p][1] - twice[1];

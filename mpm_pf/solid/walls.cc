@@ -113,8 +113,8 @@ namespace solid
     if (!grid.has(inner_i, inner_j))
       return true;
     const Full full = full_masses(fold, grid.lower[line.axis], grid.dx);
-    const double carrier = grid.nodes[n].mass();
-    const double master = grid.nodes[grid.at(inner_i, inner_j)].mass();
+    const double carrier = grid.mass[n];
+    const double master = grid.mass[grid.at(inner_i, inner_j)];
     if (2. * carrier * full.master < master * full.carrier)
       return false;
     const Velocity &now = grid.velocity[n];

@@ -1,0 +1,234 @@
+// A chunk of points made ready for the sums over nodes of scatter.cc and gather.cc.
+//
+// The two sums have the same shape: per point nine products of weights, each times a few numbers.
+// They run over vectors of four lanes that hold the components of one point (momentum and force, or
+// value and slope), so no lane is idle however few points share a node, and what a node gets or
+// gives stays in a register while points that share it follow each other. What such vectors are
+// made of is computed here, eight points side by side, and put into the order in which it is read.
+#pragma once
+
+#include <cstring>
+
+#include "solid/stencil.h"
+
+namespace solid
+{
+  inline constexpr std::size_t wide = 8;
+  typedef double Lanes __attribute__((vector_size(64), may_alias)); // one quantity of eight points
+  typedef double Pair __attribute__((vector_size(16), may_alias));
+
+  template <typename Vector>
+  inline __attribute__((always_inline)) Vector load(const double *from)
+  {
+    Vector vector;
+    std::memcpy(&vector, from, sizeof vector);
+    return vector;
+  }
+
+  template <typename Vector>
+  inline __attribute__((always_inline)) void store(double *to, const Vector &vector)
+  {
+    std::memcpy(to, &vector, sizeof vector);
+  }
+
+  /// The first `count` of eight values, zeros behind them.
+  inline __attribute__((always_inline)) Lanes load_some(const double *from, const std::size_t count)
+  {
+    if (count >= wide)
+      return load<Lanes>(from);
+    Lanes lanes{};
+    for (std::size_t k = 0; k < count; ++k)
+      lanes[k] = from[k];
+    return lanes;
+  }
+
+  inline __attribute__((always_inline)) void store_some(double *to, const Lanes &lanes,
+                                                        const std::size_t count)
+  {
+    if (count >= wide)
+      return store(to, lanes);
+    for (std::size_t k = 0; k < count; ++k)
+      to[k] = lanes[k];
+  }
+
+  /// to = {a0, b0, a1, b1, ...}
+  inline __attribute__((always_inline)) void store_pairs(double *to, const Lanes &a, const Lanes &b)
+  {
+    store<Lanes>(to, __builtin_shufflevector(a, b, 0, 8, 1, 9, 2, 10, 3, 11));
+    store<Lanes>(to + 8, __builtin_shufflevector(a, b, 4, 12, 5, 13, 6, 14, 7, 15));
+  }
+
+  /// to = {a0, b0, c0, d0, a1, b1, ...}
+  inline __attribute__((always_inline)) void store_quads(double *to, const Lanes &a, const Lanes &b,
+                                                         const Lanes &c, const Lanes &d)
+  {
+    const Lanes ab[2] = {__builtin_shufflevector(a, b, 0, 8, 1, 9, 2, 10, 3, 11),
+                         __builtin_shufflevector(a, b, 4, 12, 5, 13, 6, 14, 7, 15)};
+    const Lanes cd[2] = {__builtin_shufflevector(c, d, 0, 8, 1, 9, 2, 10, 3, 11),
+                         __builtin_shufflevector(c, d, 4, 12, 5, 13, 6, 14, 7, 15)};
+    for (int half = 0; half < 2; ++half)
+    {
+      store<Lanes>(to + 16 * half,
+                   __builtin_shufflevector(ab[half], cd[half], 0, 1, 8, 9, 2, 3, 10, 11));
+      store<Lanes>(to + 16 * half + 8,
+                   __builtin_shufflevector(ab[half], cd[half], 4, 5, 12, 13, 6, 7, 14, 15));
+    }
+  }
+
+  struct FourLanes
+  {
+    Lanes a, b, c, d;
+  };
+
+  /// The inverse of store_quads.
+  inline __attribute__((always_inline)) FourLanes load_quads(const double *from)
+  {
+    const Lanes q0 = load<Lanes>(from), q1 = load<Lanes>(from + 8);
+    const Lanes q2 = load<Lanes>(from + 16), q3 = load<Lanes>(from + 24);
+    const Lanes ab0 = __builtin_shufflevector(q0, q1, 0, 4, 8, 12, 1, 5, 9, 13);
+    const Lanes ab1 = __builtin_shufflevector(q2, q3, 0, 4, 8, 12, 1, 5, 9, 13);
+    const Lanes cd0 = __builtin_shufflevector(q0, q1, 2, 6, 10, 14, 3, 7, 11, 15);
+    const Lanes cd1 = __builtin_shufflevector(q2, q3, 2, 6, 10, 14, 3, 7, 11, 15);
+    return {__builtin_shufflevector(ab0, ab1, 0, 1, 2, 3, 8, 9, 10, 11),
+            __builtin_shufflevector(ab0, ab1, 4, 5, 6, 7, 12, 13, 14, 15),
+            __builtin_shufflevector(cd0, cd1, 0, 1, 2, 3, 8, 9, 10, 11),
+            __builtin_shufflevector(cd0, cd1, 4, 5, 6, 7, 12, 13, 14, 15)};
+  }
+
+  inline constexpr std::size_t chunk_points = 64;
+
+  /// Weights along one direction, on the three nodes of each point.
+  struct ChunkWeights
+  {
+    alignas(64) double w[3][chunk_points];         // weight
+    alignas(64) double pairs[3][2 * chunk_points]; // {weight times distance, or weight; slope}
+
+    double weight(const int a, const std::size_t k) const { return w[a][k]; }
+    /// {first, slope, first, slope}
+    Quad pair(const int a, const std::size_t k) const
+    {
+      const Pair p = load<Pair>(&pairs[a][2 * k]);
+      return __builtin_shufflevector(p, p, 0, 1, 0, 1);
+    }
+  };
+
+  /// Nearest nodes and weights of a chunk of points. `moments`: pairs start with weight times
+  /// distance, as points to nodes needs it; else with the weight.
+  template <Shape shape, bool moments>
+  struct Chunk
+  {
+    ChunkWeights x, y;
+    std::int32_t i[chunk_points], j[chunk_points];
+
+    void prepare(const Scheme &scheme, const Grid &grid, const FoldTable &table,
+                 const Points &points, const std::size_t begin, const std::size_t count)
+    {
+      alignas(64) double s[chunk_points], t[chunk_points];
+      locate(grid, points, begin, count, s, t);
+      for (std::size_t k = 0; k < count; k += wide)
+      {
+        fill(x, k, wide_weights(load<Lanes>(s + k), grid, scheme.half_size[0]));
+        fill(y, k, wide_weights(load<Lanes>(t + k), grid, scheme.half_size[1]));
+      }
+      if (table.pairs.empty())
+        return;
+      for (std::size_t k = 0; k < count; ++k)
+        if (grid.fold[grid.at(i[k], j[k])] != 0)
+        {
+          const Stencil folded =
+              stencil_of<shape>(scheme, grid, table, points.x[begin + k], points.y[begin + k]);
+          replace(x, k, folded.x), replace(y, k, folded.y);
+          i[k] = folded.i, j[k] = folded.j;
+        }
+    }
+
+    /// End of the points from k on that share the node of point k.
+    std::size_t run_end(const std::size_t k, const std::size_t count) const
+    {
+      std::size_t end = k + 1;
+      while (end < count && i[end] == i[k] && j[end] == j[k])
+        ++end;
+      return end;
+    }
+
+  private:
+    struct Wide
+    {
+      Lanes w[3], g[3], d[3];
+    };
+
+    void locate(const Grid &grid, const Points &points, const std::size_t begin,
+                const std::size_t count, double *const s, double *const t)
+    {
+      const double *const px = &points.x[begin], *const py = &points.y[begin];
+      const double x0 = grid.lower[0], y0 = grid.lower[1], scale = grid.inverse_dx;
+#pragma omp simd
+      for (std::size_t k = 0; k < count; ++k)
+      {
+        const double a = (px[k] - x0) * scale, b = (py[k] - y0) * scale;
+        const double nearest_a = std::floor(a + 0.5), nearest_b = std::floor(b + 0.5);
+        s[k] = a - nearest_a, t[k] = b - nearest_b;
+        i[k] = static_cast<std::int32_t>(nearest_a), j[k] = static_cast<std::int32_t>(nearest_b);
+      }
+      for (std::size_t k = count; k % wide != 0; ++k)
+        s[k] = t[k] = 0.;
+    }
+
+    // As weights() of shape_functions.h, for eight points.
+    static inline __attribute__((always_inline)) Wide wide_weights(const Lanes &s, const Grid &grid,
+                                                                   const double half_size)
+    {
+      Lanes left, right, left_slope, right_slope;
+      const Lanes none{};
+      if constexpr (shape == Shape::quadratic_bspline)
+      {
+        const Lanes a = 0.5 - s, b = 0.5 + s;
+        left = 0.5 * a * a, right = 0.5 * b * b, left_slope = -a, right_slope = b;
+      }
+      else if constexpr (shape == Shape::ugimp)
+      {
+        const double l = half_size, scale = 0.25 / l;
+        const Lanes whole = none + 2. * l;
+        Lanes a = l - s, b = l + s;
+        a = a > none ? a : none, b = b > none ? b : none;
+        a = a < whole ? a : whole, b = b < whole ? b : whole;
+        const Lanes beyond_left = -s - l, beyond_right = s - l;
+        left = a * a * scale + (beyond_left > none ? beyond_left : none);
+        right = b * b * scale + (beyond_right > none ? beyond_right : none);
+        left_slope = -2. * scale * a, right_slope = 2. * scale * b;
+      }
+      else
+      {
+        const Lanes one = none + 1.;
+        left = s < none ? -s : none, right = s > none ? s : none;
+        left_slope = s < none ? -one : none, right_slope = s < none ? none : one;
+      }
+      const Lanes x = s * grid.dx;
+      return {{left, 1. - left - right, right},
+              {left_slope * grid.inverse_dx, -(left_slope + right_slope) * grid.inverse_dx,
+               right_slope * grid.inverse_dx},
+              {-grid.dx - x, -x, grid.dx - x}};
+    }
+
+    static inline __attribute__((always_inline)) void fill(ChunkWeights &to, const std::size_t k,
+                                                           const Wide &from)
+    {
+      for (int a = 0; a < 3; ++a)
+      {
+        if constexpr (moments)
+          store(&to.w[a][k], from.w[a]);
+        store_pairs(&to.pairs[a][2 * k], moments ? from.w[a] * from.d[a] : from.w[a], from.g[a]);
+      }
+    }
+
+    static void replace(ChunkWeights &to, const std::size_t k, const Weights &from)
+    {
+      for (int a = 0; a < 3; ++a)
+      {
+        to.w[a][k] = from.w[a];
+        to.pairs[a][2 * k] = moments ? from.w[a] * from.d[a] : from.w[a];
+        to.pairs[a][2 * k + 1] = from.g[a];
+      }
+    }
+  };
+} // namespace solid
