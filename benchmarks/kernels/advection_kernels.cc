@@ -57,13 +57,17 @@ namespace kernels
     add("advection, weno5", {nodes, 60., 30.}, [] { return carrying(AdvectionScheme::weno5); });
     constexpr double radius = 60., cells = 12.;
     const double band = 2. * M_PI * radius * 2. * cells / 0.4; // nodes of the band
-    add("distance, band of 12 cells", {band, 12., 8.},
-        [=]
-        {
-          const medium::Mesh mesh = mesh_of(800, 800);
-          auto phi = std::make_shared<medium::Field<double>>(disc(mesh, radius));
-          auto distance = std::make_shared<medium::Distance>(mesh, cells);
-          return [=] { medium::measure(*distance, *phi, mesh); };
-        });
+    const auto measuring = [=](bool afresh)
+    {
+      const medium::Mesh mesh = mesh_of(800, 800);
+      auto phi = std::make_shared<medium::Field<double>>(disc(mesh, radius));
+      auto distance = std::make_shared<medium::Distance>(mesh, cells);
+      medium::measure(*distance, *phi, mesh);
+      return [=]
+      { afresh ? medium::measure(*distance, *phi, mesh) : medium::follow(*distance, *phi, mesh); };
+    };
+    // Whole measurements. A differential equation would need some fifty iterations instead.
+    add("distance, followed", {band, 60., 12.}, [=] { return measuring(false); });
+    add("distance, afresh on 800 x 800", {band, 120., 60.}, [=] { return measuring(true); });
   }
 } // namespace kernels

@@ -13,8 +13,9 @@
 
 namespace medium
 {
-  /// All crossings of zero, in the order of rows, then columns. Ghosts of `phi` must be filled.
-  /// Curvatures are kept below one over the spacing, beyond which the mesh shows no circle.
+  /// All crossings of zero that start in an active tile of `where`, in the order of rows, then
+  /// columns. Ghosts of `phi` must be filled. Curvatures are kept below one over the spacing,
+  /// beyond which the mesh shows no circle.
   template <class T>
-  std::vector<ContourPiece> contour_pieces(const Field<T> &phi, const Mesh &);
+  std::vector<ContourPiece> contour_pieces(const Field<T> &phi, const Mesh &, const Tiles &where);
 } // namespace medium

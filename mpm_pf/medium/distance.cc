@@ -5,7 +5,10 @@
 #include <limits>
 #include <stdexcept>
 
+#include <omp.h>
+
 #include "medium/contour_pieces.h"
+#include "medium/contour_tiles.h"
 
 namespace medium
 {
@@ -41,142 +44,192 @@ namespace medium
                          [](const auto &a, const auto &b) { return a.y < b.y; });
     }
 
-    void mark_tiles(Distance &distance, const Mesh &mesh)
+    /// Distance to the arc of the osculating circle, or to a straight segment where no circle
+    /// fits, for one row of a tile from `start` of the scratch. `longest`: the larger spacing.
+    void measure_line(Claims &claims, std::ptrdiff_t start, float reach, float longest)
     {
-      Tiles &tiles = distance.tiles;
-      std::fill(tiles.activity.begin(), tiles.activity.end(), Activity::frozen);
-      const auto tile_of = [&](double place, int axis, int size, int count)
+      const float *square = claims.square.data() + start, *above = claims.above.data() + start,
+                  *aside = claims.aside.data() + start, *bends = claims.bend.data() + start;
+      const int *owner = claims.owner.data() + start;
+      float *size = claims.size.data() + start, *offset = claims.offset.data() + start;
+      int misfits = 0;
+#pragma omp simd reduction(+ : misfits)
+      for (int n = 0; n < Tiles::width; ++n)
       {
-        const double node = std::floor((place - mesh.lower[axis]) / mesh.spacing[axis]);
-        return std::min(std::max(static_cast<int>(node) / size, 0), count - 1);
-      };
-      for (const ContourPiece &piece : distance.pieces)
+        const float m = above[n], s = aside[n], bend = bends[n];
+        const float under = 1.f - 2.f * bend * m + bend * bend * square[n];
+        const float root = std::sqrt(under > 0.0025f ? under : 0.0025f), along = s / root;
+        const float arc = std::abs(2.f * m - bend * square[n]) / (1.f + root);
+        const bool owned = owner[n] >= 0;
+        misfits += owned & ((under <= 0.0025f) | (std::abs(along) > longest)) ? 1 : 0;
+        size[n] = owned & (arc < reach) ? arc : reach;
+        offset[n] = along;
+      }
+      for (int n = 0; misfits > 0 && n < Tiles::width; ++n)
       {
-        const int left = tile_of(piece.x - distance.band, 0, Tiles::width, tiles.columns),
-                  right = tile_of(piece.x + distance.band, 0, Tiles::width, tiles.columns),
-                  low = tile_of(piece.y - distance.band, 1, Tiles::height, tiles.rows),
-                  high = tile_of(piece.y + distance.band, 1, Tiles::height, tiles.rows);
-        for (int row = low; row <= high; ++row)
-          for (int column = left; column <= right; ++column)
-            tiles.at(column, row) = Activity::active;
+        const float m = above[n], s = aside[n], bend = bends[n];
+        const float under = 1.f - 2.f * bend * m + bend * bend * square[n];
+        if (owner[n] < 0 || (under > 0.0025f && std::abs(offset[n]) <= longest))
+          continue;
+        offset[n] = std::clamp(s, -0.5f * longest, 0.5f * longest);
+        size[n] = std::min(reach, std::hypot(s - offset[n], m));
       }
     }
 
-    /// Lets the piece claim all nodes of the tile row that are nearer to it than to earlier ones.
-    /// Whole aligned lines of 16 nodes are offered: they never leave a tile, and a line just
-    /// written can be read again at once.
-    void claim(Distance &distance, const Mesh &mesh, int index, int j0, int j1)
+    /// Whether distances of neighbours differ by more than their spacing and a quarter: there a
+    /// node has been left out. `below`: the row before, or the same.
+    bool jumps(const float *size, const float *below, int nodes, float ratio)
     {
-      constexpr int line = 16;
-      static_assert(Tiles::width % line == 0, "a line of nodes lies in one tile");
-      const ContourPiece &piece = distance.pieces[static_cast<std::size_t>(index)];
-      const double h = mesh.spacing[0], ratio = mesh.spacing[1] / h, reach = distance.band / h;
-      const double x = (piece.x - mesh.lower[0]) / h,
-                   y = (piece.y - mesh.lower[1]) / mesh.spacing[1];
-      const int low = std::max(j0, static_cast<int>(std::ceil(y - reach / ratio))),
-                high = std::min(j1 - 1, static_cast<int>(std::floor(y + reach / ratio)));
-      for (int j = low; j <= high; ++j)
+      constexpr float slack = 0.25f;
+      int count = 0;
+#pragma omp simd reduction(| : count)
+      for (int n = 1; n < nodes; ++n)
+        count |= (std::abs(size[n] - size[n - 1]) > 1.f + slack) |
+                 (std::abs(size[n] - below[n]) > ratio + slack);
+      return count != 0;
+    }
+
+    /// Distances at all active tiles of a row; false where they jump.
+    bool measure_sizes(Claims &claims, const Distance &distance, const Mesh &mesh, int row)
+    {
+      const Tiles &tiles = distance.tiles;
+      const float h = static_cast<float>(mesh.spacing[0]),
+                  ratio = static_cast<float>(mesh.spacing[1]) / h,
+                  reach = static_cast<float>(distance.band) / h;
+      bool smooth = true;
+      for (int column = 0; column < tiles.columns; ++column)
       {
-        const double dy = (j - y) * ratio, half = std::sqrt(std::max(0., reach * reach - dy * dy));
-        const int i0 = std::max(0, static_cast<int>(std::ceil(x - half))) / line * line,
-                  i1 = std::min(mesh.nodes[0] - 1, static_cast<int>(std::floor(x + half)));
-        const float dy2 = static_cast<float>(dy * dy);
-        for (int i = i0; i <= i1; i += line)
+        if (tiles.at(column, row) != Activity::active)
+          continue;
+        const int nodes = tiles.end_node(column) - tiles.first_node(column);
+        for (int j = 0; j < tiles.end_row(row) - tiles.first_row(row); ++j)
         {
-          float *nearest = distance.nearest.row(j) + i;
-          int *owner = distance.piece.row(j) + i;
-          const float start = static_cast<float>(i - x);
-#pragma omp simd
-          for (int n = 0; n < line; ++n)
-          {
-            const float dx = start + static_cast<float>(n), square = dx * dx + dy2;
-            const bool nearer = square < nearest[n];
-            nearest[n] = nearer ? square : nearest[n];
-            owner[n] = nearer ? index : owner[n];
-          }
+          const std::ptrdiff_t start =
+              static_cast<std::ptrdiff_t>(j) * claims.pitch + tiles.first_node(column);
+          measure_line(claims, start, reach, std::max(1.f, ratio));
+          const float *size = claims.size.data() + start;
+          smooth = !jumps(size, j == 0 ? size : size - claims.pitch, nodes, ratio) && smooth;
         }
       }
+      return smooth;
     }
 
-    template <class T>
-    void measure_row(Distance &distance, const T *phi, const Mesh &mesh, int j, int i0, int i1)
+    /// One row of a tile, [i0, i1) of row j, from `start` of the scratch to psi, piece and offset.
+    struct Segment
     {
-      const double band = distance.band, h = std::max(mesh.spacing[0], mesh.spacing[1]);
-      const double x0 = mesh.lower[0], dx = mesh.spacing[0],
-                   y = mesh.lower[1] + j * mesh.spacing[1];
-      int *owner = distance.piece.row(j);
-      double *psi = distance.psi.row(j);
-      float *offset = distance.offset.row(j);
-      const double *pieces = &distance.pieces.data()->x;
+      int j, i0, i1;
+      std::ptrdiff_t start;
+    };
+    template <class T>
+    void write(Distance &distance, const Claims &claims, const T *phi, const Segment &at,
+               double unit)
+    {
+      const double band = distance.band;
+      double *psi = distance.psi.row(at.j);
+      int *piece = distance.piece.row(at.j);
+      float *offset = distance.offset.row(at.j);
+      const float *size = claims.size.data() + at.start - at.i0,
+                  *along = claims.offset.data() + at.start - at.i0;
+      const int *owner = claims.owner.data() + at.start - at.i0;
+      const float scale = static_cast<float>(unit), reach = static_cast<float>(band / unit);
 #pragma omp simd
-      for (int i = i0; i < i1; ++i)
+      for (int i = at.i0; i < at.i1; ++i)
       {
-        const int at = 5 * (owner[i] < 0 ? 0 : owner[i]);
-        const double rx = x0 + i * dx - pieces[at], ry = y - pieces[at + 1];
-        const double nx = pieces[at + 2], ny = pieces[at + 3], bend = pieces[at + 4];
-        const double m = rx * nx + ry * ny, s = ry * nx - rx * ny, square = rx * rx + ry * ry;
-        const double under = 1. - 2. * bend * m + bend * bend * square;
-        const double root = std::sqrt(under > 0.0025 ? under : 0.0025), on_circle = s / root;
-        const bool fits = (under > 0.0025) & (std::abs(on_circle) <= h);
-        const double half = s > 0. ? 0.5 * h : -0.5 * h;
-        const double on_segment = std::abs(s) < 0.5 * h ? s : half;
-        const double to_circle = std::abs(2. * m - bend * square) / (1. + root);
-        const double to_segment = std::sqrt((s - on_segment) * (s - on_segment) + m * m);
-        const double size = fits ? to_circle : to_segment;
-        const bool inside = (owner[i] >= 0) & (size < band);
-        const double kept = inside ? size : band;
+        const double kept = size[i] < reach ? static_cast<double>(size[i]) * unit : band;
         psi[i] = phi[i] > 0 ? kept : -kept;
-        owner[i] = inside ? owner[i] : -1;
-        offset[i] = static_cast<float>(fits ? on_circle : on_segment);
+        piece[i] = size[i] < reach ? owner[i] : -1;
+        offset[i] = along[i] * scale;
       }
+    }
+
+    /// All nodes of a tile that the band has left.
+    template <class T>
+    void leave_tile(Distance &distance, const T *phi, int j, int i0, int i1)
+    {
+      for (int i = i0; i < i1; ++i)
+        distance.psi(i, j) = phi[i] > 0 ? distance.band : -distance.band;
+      std::fill(distance.piece.row(j) + i0, distance.piece.row(j) + i1, -1);
     }
 
     /// Pieces that can reach the rows [j0, j1), each of which claims its nodes there.
-    void claim_rows(Distance &distance, const Mesh &mesh, int j0, int j1)
+    void claim_rows(Claims &claims, const Distance &distance, const std::vector<Strip> &strips,
+                    const Mesh &mesh, int row, Reach how)
     {
       const int reach = static_cast<int>(std::ceil(distance.band / mesh.spacing[1])) + 1;
-      const int rows = distance.psi.nodes(1), count = static_cast<int>(distance.pieces.size());
+      const int rows = distance.psi.nodes(1), count = static_cast<int>(distance.pieces.size()),
+                j0 = distance.tiles.first_row(row), j1 = distance.tiles.end_row(row);
       const auto first = [&](int j) { return distance.first_of_row[static_cast<std::size_t>(j)]; };
       const int begin = j0 - reach <= 0 ? 0 : first(j0 - reach),
                 end = j1 + reach >= rows ? count : first(j1 + reach);
-      for (int k = begin; k < end; ++k)
-        claim(distance, mesh, k, j0, j1);
+      forget(claims, distance.tiles, row);
+      claim(claims, distance, strips, mesh, row, {begin, end, how});
     }
 
     template <class T>
-    void measure_tile_row(Distance &distance, const Tiles &before, const Field<T> &phi,
-                          const Mesh &mesh, int row)
+    void measure_tile_row(Distance &distance, Claims &claims, const std::vector<Strip> &strips,
+                          const Tiles &before, const Field<T> &phi, const Mesh &mesh, int row)
     {
       const Tiles &tiles = distance.tiles;
-      const int j0 = tiles.first_row(row), j1 = tiles.end_row(row);
       bool any = false;
       for (int column = 0; column < tiles.columns; ++column)
+        any = any || tiles.at(column, row) == Activity::active;
+      if (any)
       {
-        const bool now = tiles.at(column, row) == Activity::active;
-        any = any || now;
-        if (!now && before.at(column, row) != Activity::active)
-          continue;
-        const int i0 = tiles.first_node(column), i1 = tiles.end_node(column);
-        for (int j = j0; j < j1; ++j)
+        claim_rows(claims, distance, strips, mesh, row, Reach::strips);
+        if (!measure_sizes(claims, distance, mesh, row))
         {
-          std::fill(distance.piece.row(j) + i0, distance.piece.row(j) + i1, -1);
-          std::fill(distance.nearest.row(j) + i0, distance.nearest.row(j) + i1,
-                    std::numeric_limits<float>::max());
+          claim_rows(claims, distance, strips, mesh, row, Reach::everything);
+          measure_sizes(claims, distance, mesh, row);
         }
       }
-      if (any)
-        claim_rows(distance, mesh, j0, j1);
+      const int j0 = tiles.first_row(row), j1 = tiles.end_row(row);
       for (int column = 0; column < tiles.columns; ++column)
-        if (tiles.at(column, row) == Activity::active || before.at(column, row) == Activity::active)
+      {
+        const int i0 = tiles.first_node(column), i1 = tiles.end_node(column);
+        if (tiles.at(column, row) == Activity::active)
           for (int j = j0; j < j1; ++j)
-            measure_row(distance, phi.row(j), mesh, j, tiles.first_node(column),
-                        tiles.end_node(column));
+            write(distance, claims, phi.row(j),
+                  {j, i0, i1, static_cast<std::ptrdiff_t>(j - j0) * claims.pitch + i0},
+                  mesh.spacing[0]);
+        else if (before.at(column, row) == Activity::active)
+          for (int j = j0; j < j1; ++j)
+            leave_tile(distance, phi.row(j), j, i0, i1);
+      }
+    }
+
+    template <class T>
+    void measure_in(Distance &distance, const Field<T> &phi, const Mesh &mesh, const Tiles &where)
+    {
+      distance.pieces = contour_pieces(phi, mesh, where);
+      add_periodic_images(distance, mesh);
+      const int rows = mesh.nodes[1];
+      distance.first_of_row.assign(static_cast<std::size_t>(rows) + 1, 0);
+      for (int j = 0, k = 0; j <= rows; ++j)
+      {
+        const double y = mesh.lower[1] + j * mesh.spacing[1];
+        while (k < static_cast<int>(distance.pieces.size()) &&
+               distance.pieces[static_cast<std::size_t>(k)].y < y)
+          ++k;
+        distance.first_of_row[static_cast<std::size_t>(j)] = k;
+      }
+      const Tiles before = distance.tiles;
+      mark_tiles(distance, mesh);
+      if (distance.pieces.empty()) // a place to read from where no piece owns a node
+        distance.pieces.push_back({mesh.lower[0], mesh.lower[1], 1., 0., 0.});
+      const std::vector<Strip> strips = strips_of(distance, mesh);
+      const auto threads = static_cast<std::size_t>(omp_get_max_threads());
+      while (distance.claims.size() < threads)
+        distance.claims.emplace_back(mesh);
+#pragma omp parallel for schedule(dynamic, 2)
+      for (int row = 0; row < distance.tiles.rows; ++row)
+        measure_tile_row(distance, distance.claims[static_cast<std::size_t>(omp_get_thread_num())],
+                         strips, before, phi, mesh, row);
     }
   } // namespace
 
   Distance::Distance(const Mesh &mesh, double band_cells)
       : band(band_cells * std::max(mesh.spacing[0], mesh.spacing[1])), psi(mesh), piece(mesh, -1),
-        offset(mesh), tiles(mesh), nearest(mesh)
+        offset(mesh), tiles(mesh), close(mesh)
   {
     if (!(band_cells >= 3.))
       throw std::invalid_argument("the band of the distance is " + std::to_string(band_cells) +
@@ -187,29 +240,20 @@ namespace medium
   template <class T>
   void measure(Distance &distance, const Field<T> &phi, const Mesh &mesh)
   {
-    distance.pieces = contour_pieces(phi, mesh);
-    add_periodic_images(distance, mesh);
-    const int rows = mesh.nodes[1];
-    distance.first_of_row.assign(static_cast<std::size_t>(rows) + 1, 0);
-    for (int j = 0, k = 0; j <= rows; ++j)
-    {
-      const double y = mesh.lower[1] + j * mesh.spacing[1];
-      while (k < static_cast<int>(distance.pieces.size()) &&
-             distance.pieces[static_cast<std::size_t>(k)].y < y)
-        ++k;
-      distance.first_of_row[static_cast<std::size_t>(j)] = k;
-    }
-    const Tiles before = distance.tiles;
-    mark_tiles(distance, mesh);
-    if (distance.pieces.empty()) // a place to read from where no piece owns a node
-      distance.pieces.push_back({mesh.lower[0], mesh.lower[1], 1., 0., 0.});
-#pragma omp parallel for schedule(static)
-    for (int row = 0; row < distance.tiles.rows; ++row)
-      measure_tile_row(distance, before, phi, mesh, row);
+    measure_in(distance, phi, mesh, Tiles(mesh));
+  }
+
+  template <class T>
+  void follow(Distance &distance, const Field<T> &phi, const Mesh &mesh)
+  {
+    const Tiles where = distance.close;
+    measure_in(distance, phi, mesh, where);
   }
 
   template void measure(Distance &, const Field<double> &, const Mesh &);
   template void measure(Distance &, const Field<float> &, const Mesh &);
+  template void follow(Distance &, const Field<double> &, const Mesh &);
+  template void follow(Distance &, const Field<float> &, const Mesh &);
 
   Point closest_point(const Distance &distance, int i, int j)
   {

@@ -17,6 +17,7 @@
 
 #include <vector>
 
+#include "medium/claims.h"
 #include "medium/field.h"
 #include "medium/tiles.h"
 
@@ -46,8 +47,12 @@ namespace medium
     std::vector<int> first_of_row;    // first piece with row(y) >= j, for j = 0 ... rows
 
     Tiles tiles; // active: the tile may hold nodes of the band (at first: any); else frozen
-    Field<float> nearest; // squared distance to the nearest piece, units of spacing[0]^2
+    Tiles close; // active: the tile comes within `follow_cells` of the contour
+    std::vector<Claims> claims; // scratch of each thread
   };
+
+  /// How far, in cells, the contour may move from one measurement to one that follows it.
+  inline constexpr double follow_cells = 3.;
 
   /// Measures the distance to the zero contour of `phi`, whose ghosts must be filled. Cost grows
   /// with the length of the contour times the width of the band; beyond it only sign changes are
@@ -55,6 +60,12 @@ namespace medium
   /// last call.
   template <class T>
   void measure(Distance &, const Field<T> &phi, const Mesh &);
+
+  /// The same where the contour has moved by less than `follow_cells` since the last measurement
+  /// and has no new parts elsewhere: sign changes are looked for in the tiles it was close to.
+  /// Result and order are those of measure(), at a cost that knows nothing of the rest of the mesh.
+  template <class T>
+  void follow(Distance &, const Field<T> &phi, const Mesh &);
 
   /// The point of the contour closest to node (i, j), which must lie in the band.
   Point closest_point(const Distance &, int i, int j);

@@ -150,10 +150,11 @@ namespace medium
                           const Mesh &mesh)
   {
     Distance &distance = extension.distance;
-    measure(distance, phi, mesh);
+    const bool afresh = extension.calls++ % extension.far_every == 0;
+    afresh ? measure(distance, phi, mesh) : follow(distance, phi, mesh);
     if (extension.method == scene::ExtensionMethod::pde)
       reinitialise(distance, phi, extension.front_width, mesh);
-    if (extension.calls++ % extension.far_every == 0)
+    if (afresh)
       draw_map(extension, mesh);
     write(extension, fields, {material, extension.depth, Approach::linear}, mesh);
   }

@@ -30,7 +30,8 @@ namespace medium
     scene::ExtensionMethod method;
     double front_width;
     double depth;       // length below the contour from which a node counts as solid: half a cell
-    int far_every = 20; // calls from one drawing of the map beyond the band to the next
+    int far_every = 20; // calls from one look at the whole mesh (map beyond the band, new grains
+                        // of the contour) to the next; in between the contour is followed
     long calls = 0;     // since the map was to be drawn afresh
     Distance distance;
     Field<int> nearest_piece;      // at every node: the map, numbered as when it was drawn
@@ -42,7 +43,8 @@ namespace medium
   /// are left alone; ghosts are not filled. `phi`: its ghosts must be filled. `material`: 1 where a
   /// node has mass enough, else 0; an empty field means everywhere. Where no node at all is solid
   /// the fields become 0. A piece without solid nodes around (a grain that has no material) takes
-  /// the value of the nearest piece that has.
+  /// the value of the nearest piece that has. Between two calls the contour must not move by more
+  /// than follow_cells.
   template <class T>
   void extend_into_liquid(Extension &, const std::vector<Field<double> *> &fields,
                           const Field<T> &phi, const Field<unsigned char> &material, const Mesh &);
