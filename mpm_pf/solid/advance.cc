@@ -2,9 +2,11 @@
 // call asks.
 #include <cmath>
 
+#include "solid/blocks.h"
 #include "solid/body.h"
 #include "solid/energy.h"
 #include "solid/mean_velocity.h"
+#include "solid/nodes_to_points.h"
 #include "solid/splitting.h"
 #include "solid/walls.h"
 
@@ -29,37 +31,31 @@ namespace solid
       }
     };
 
-    // Call f(block, begin, end) for pieces of points. Even blocks of rows, then odd ones:
-    // neighbours never write at the same time.
-    template <typename F>
-    void over_blocks(const std::vector<Block> &blocks, F &&f)
+    // Even blocks touch two rows of nodes beyond their own; odd blocks clear what these leave.
+    void clear_nodes(Grid &grid, const int block)
     {
-      const int count = static_cast<int>(blocks.size());
-      for (const int colour : {0, 1})
-      {
-#pragma omp for schedule(dynamic, 1)
-        for (int b = colour; b < count; b += 2)
-          for_pieces(blocks[b], [&](const std::size_t p, const std::size_t q) { f(b, p, q); });
-      }
+      const int halo = block % 2 == 0 ? 2 : -2, row = grid.blocks[block].row;
+      const bool last = block + 1 == static_cast<int>(grid.blocks.size());
+      const auto [begin, end] =
+          grid.range(std::max(row - halo, grid.row_begin),
+                     last ? grid.row_end : std::min(row + rows_per_block + halo, grid.row_end));
+      std::fill(grid.mass.begin() + begin, grid.mass.begin() + end, 0.);
+      std::fill(grid.nodes.begin() + begin, grid.nodes.begin() + end, Node{});
     }
 
     void points_to_nodes(Solid &solid)
     {
       Timed timed(solid, "points to nodes");
       Grid &grid = solid.grid;
-      const auto nodes = static_cast<std::ptrdiff_t>(grid.nodes.size());
 #pragma omp parallel num_threads(solid.threads)
-      {
-#pragma omp for schedule(static)
-        for (std::ptrdiff_t n = 0; n < nodes; ++n)
-          grid.mass[n] = 0., grid.nodes[n] = Node{};
-        over_blocks(grid.blocks,
-                    [&](int, const std::size_t p, const std::size_t q)
-                    {
-                      scatter(solid.scheme, solid.supports.folds, solid.points,
-                              solid.loads.acceleration, 1. / solid.material.density, grid, p, q);
-                    });
-      }
+      alternate(grid.blocks,
+                [&](const int b)
+                {
+                  clear_nodes(grid, b);
+                  scatter(solid.scheme, solid.supports.folds, solid.points,
+                          solid.loads.acceleration, 1. / solid.material.density, grid,
+                          grid.blocks[b].begin, grid.blocks[b].end);
+                });
     }
 
     // v = (p + dt f)/m; nodes whose mass is only rounding keep what was brought to them.
@@ -94,70 +90,6 @@ namespace solid
       move(solid.tracers, solid.scheme, solid.grid, solid.supports.folds, dt);
       if (solid.scheme.transfer == Transfer::xpic2)
         smooth_velocity(solid.scheme, solid.supports.folds, solid.grid, solid.points);
-    }
-
-    Step constants(const Solid &solid, const double dt)
-    {
-      Step step;
-      const Material &material = solid.material;
-      step.dt = dt;
-      step.plastic = material.yield_stress.has_value();
-      step.flow = {material.shear, material.bulk, material.yield_stress.value_or(0.),
-                   material.viscosity / dt};
-      step.inverse_density = 1. / material.density;
-      step.relaxation = solid.scheme.pressure_relaxation;
-      step.lower = solid.domain.lower, step.upper = solid.domain.upper();
-      bound_by_walls(solid.supports, solid.time + dt, step.lower, step.upper);
-      const double fastest = 0.5 * solid.grid.dx / dt;
-      step.speed_limit2 = fastest * fastest;
-      return step;
-    }
-
-    void clear_cells(CellMeans &cells)
-    {
-      const auto n = static_cast<std::ptrdiff_t>(cells.rate.size());
-#pragma omp for schedule(static)
-      for (std::ptrdiff_t k = 0; k < n; ++k)
-        cells.rate[k] = cells.pressure[k] = CellSum{0., 0.};
-    }
-
-    void nodes_to_points(Solid &solid, const double dt)
-    {
-      Timed timed(solid, "nodes to points");
-      const Step step = constants(solid, dt);
-      const Scheme &scheme = solid.scheme;
-      const FoldTable &folds = solid.supports.folds;
-      Points &points = solid.points;
-      const Grid &grid = solid.grid;
-      CellMeans *const means = scheme.anti_locking ? &solid.cells : nullptr;
-      solid.shares.assign(grid.blocks.size(), Share{});
-      const auto finish = [&](const int b, const std::size_t p, const std::size_t q)
-      {
-        if (scheme.transfer == Transfer::apic)
-          gather_affine(scheme, folds, grid, points, p, q);
-        move(points, solid.moving, step, means, solid.shares[b], p, q);
-      };
-      const auto stress = [&](const int b, const std::size_t p, const std::size_t q)
-      {
-        update_stress(points, step, means, solid.shares[b], p, q);
-        if (points.may_split && solid.steps % stretch_interval == 0)
-          stretch(points, stretch_interval * dt, p, q);
-      };
-      const auto strain = [&](const int b, const std::size_t p, const std::size_t q)
-      {
-        gather(scheme, folds, grid, points, solid.moving, p, q);
-        if (means)
-          return collect_rates(points, grid, step, *means, p, q);
-        stress(b, p, q), finish(b, p, q);
-      };
-#pragma omp parallel num_threads(solid.threads)
-      {
-        if (means)
-          clear_cells(*means);
-        over_blocks(grid.blocks, strain);
-        if (means)
-          over_blocks(grid.blocks, stress), over_blocks(grid.blocks, finish);
-      }
     }
 
     void sort_points(Solid &solid)
@@ -245,7 +177,10 @@ namespace solid
     evaluate_body_force(solid.loads, solid.points, solid.fraction, solid.time);
     points_to_nodes(solid);
     nodes(solid, dt);
-    nodes_to_points(solid, dt);
+    {
+      Timed timed(solid, "nodes to points");
+      nodes_to_points(solid, dt);
+    }
     book_body_work(solid.loads, solid.points, dt);
     carry(solid.supports, solid.points, solid.tracers, solid.fraction, solid.time, dt);
     solid.time += dt;
@@ -257,8 +192,6 @@ namespace solid
   {
     if (solid.scheme.anti_locking)
       solid.cells.resize(solid.grid.nodes.size(), solid.points.size());
-    if (solid.scheme.incremental())
-      solid.moving.vx.resize(solid.points.size()), solid.moving.vy.resize(solid.points.size());
   }
 
   double stable_step(const Solid &solid)

@@ -33,7 +33,6 @@ namespace solid
     Points points;
     Grid grid;
     CellMeans cells;
-    Moving moving;
     Supports supports;
     Loads loads;
     Tracers tracers;

@@ -1,9 +1,8 @@
 // From the new velocity gradient to new stress and position, for a range of points.
 //
-// Without cell averaging one pass does it all. With averaging there are three, since a mean needs
-// all points of its cell: volume strains into the cells; stresses by Eqs. (5)-(6) and pressures
-// into the cells; pressures relaxed and points moved, x += dt v. A point counts in the cell where
-// it stood at the start of the step.
+// With cell averaging there are two passes, since a mean needs all points of its cell: gather, add
+// to the cells and move, x += dt v; then, cells averaged, the stresses by Eqs. (5)-(6). A point
+// counts in the cell where it stood at the start of the step.
 #pragma once
 
 #include "solid/anti_locking.h"
@@ -31,16 +30,12 @@ namespace solid
     double speed_limit2 = 0.;
   };
 
-  /// Find each point's cell and add the volume strain of the step to it.
-  void collect_rates(const Points &, const Grid &, const Step &, CellMeans &, std::size_t begin,
+  /// New stress, plastic strain and jacobian, and a check of them. `means` null: each point by
+  /// itself; else with the volume strain of its cell and its pressure relaxed.
+  void update_stress(Points &, const Step &, const CellMeans *means, Share &, std::size_t begin,
                      std::size_t end);
 
-  /// New stress, plastic strain and jacobian. `means` null: each point by itself; else pressures
-  /// are added to the cells.
-  void update_stress(Points &, const Step &, CellMeans *means, Share &, std::size_t begin,
-                     std::size_t end);
-
-  /// Relax pressures to their cells (`means` not null), move the points and check them.
-  void move(Points &, const Moving &, const Step &, const CellMeans *means, Share &,
+  /// Move points [begin, end) with the velocities by_x[0], ... and check where they are.
+  void move(Points &, const double *by_x, const double *by_y, const Step &, Share &,
             std::size_t begin, std::size_t end);
 } // namespace solid

@@ -63,7 +63,8 @@ namespace solid
     }
 
     void give(const Scheme &scheme, const Sums &velocity, const Sums &change, Points &points,
-              Moving &moving, const std::size_t begin, const std::size_t count)
+              const Moving &moving, const std::size_t offset, const std::size_t begin,
+              const std::size_t count)
     {
       for (std::size_t k = 0; k < count; k += wide)
       {
@@ -77,7 +78,8 @@ namespace solid
         {
           const double f = flip(scheme);
           const FourLanes by = load_quads(&change.along_x[4 * k]);
-          put(moving.vx, vx), put(moving.vy, vy);
+          store_some(moving.vx + offset + k, vx, count - k);
+          store_some(moving.vy + offset + k, vy, count - k);
           vx = f * (load_some(&points.vx[begin + k], count - k) + by.a) + (1. - f) * vx;
           vy = f * (load_some(&points.vy[begin + k], count - k) + by.c) + (1. - f) * vy;
         }
@@ -87,7 +89,7 @@ namespace solid
 
     template <Shape shape>
     void gather_points(const Scheme &scheme, const FoldTable &table, const Grid &grid,
-                       Points &points, Moving &moving, const std::size_t begin,
+                       Points &points, const Moving &moving, const std::size_t begin,
                        const std::size_t end)
     {
       Chunk<shape, false> chunk;
@@ -99,7 +101,7 @@ namespace solid
         sum_nodes(chunk, grid, grid.velocity, velocity, count);
         if (scheme.incremental())
           sum_nodes(chunk, grid, grid.change, change, count);
-        give(scheme, velocity, change, points, moving, first, count);
+        give(scheme, velocity, change, points, moving, first - begin, first, count);
       }
     }
 
@@ -133,7 +135,7 @@ namespace solid
   } // namespace
 
   void gather(const Scheme &scheme, const FoldTable &table, const Grid &grid, Points &points,
-              Moving &moving, const std::size_t begin, const std::size_t end)
+              const Moving &moving, const std::size_t begin, const std::size_t end)
   {
     with_shape(scheme.shape,
                [&](auto shape) {

@@ -69,6 +69,15 @@ namespace solid
              i < column_end[j - row_begin];
     }
     std::ptrdiff_t at(const int i, const int j) const { return offset[j - row_begin] + i; }
+    /// First and last + 1 of the nodes of rows [first, end), which lie one behind the other.
+    std::pair<std::ptrdiff_t, std::ptrdiff_t> range(const int first, const int end) const
+    {
+      if (first >= end)
+        return {0, 0};
+      return {at(column_begin[first - row_begin], first),
+              at(std::max(column_begin[end - 1 - row_begin], column_end[end - 1 - row_begin]),
+                 end - 1)};
+    }
     double node_x(const int i) const { return lower[0] + i * dx; }
     double node_y(const int j) const { return lower[1] + j * dx; }
     int nearest(const double x, const int axis) const
@@ -89,15 +98,6 @@ namespace solid
       for (int i = grid.column_begin[j - grid.row_begin]; i < grid.column_end[j - grid.row_begin];
            ++i)
         f(i, j, grid.at(i, j));
-  }
-
-  /// Call f(begin, end) for pieces of a block that fit in the nearest cache.
-  template <typename F>
-  void for_pieces(const Block &block, F &&f)
-  {
-    constexpr std::size_t piece = 256;
-    for (std::size_t p = block.begin; p < block.end; p += piece)
-      f(p, std::min(p + piece, block.end));
   }
 
   struct SortScratch

@@ -36,11 +36,9 @@ namespace solid
     {
       Point v = Point::Zero();
       each(p,
-           [&](const std::ptrdiff_t n, const double w)
-           {
-             v += grid.mass[n] > 0.
-                      ? Point(w * grid.nodes[n].momentum() / grid.mass[n])
-                      : Point(0., 0.);
+           [&](const std::ptrdiff_t n, const double w) {
+             v += grid.mass[n] > 0. ? Point(w * grid.nodes[n].momentum() / grid.mass[n])
+                                    : Point(0., 0.);
            });
       once[p] = v;
       each(p, [&](const std::ptrdiff_t n, const double w) { again[n] += w * points.mass[p] * v; });
@@ -48,12 +46,8 @@ namespace solid
     for (std::size_t p = 0; p < points.active; ++p)
     {
       Point twice = Point::Zero();
-      each(p,
-           [&](const std::ptrdiff_t n, const double w)
-           {
-             twice += grid.mass[n] > 0. ? Point(w * again[n] / grid.mass[n])
-                                                : Point(0., 0.);
-           });
+      each(p, [&](const std::ptrdiff_t n, const double w)
+           { twice += grid.mass[n] > 0. ? Point(w * again[n] / grid.mass[n]) : Point(0., 0.); });
       points.vx[p] = 2. * once[p][0] - twice[0], points.vy[p] = 2. * once[p][1] - twice[1];
     }
   }

@@ -60,14 +60,14 @@ namespace solid
   void scatter(const Scheme &, const FoldTable &, const Points &, const Acceleration &,
                double inverse_density, Grid &, std::size_t begin, std::size_t end);
 
-  /// Where the velocities of flip and xpic differ from the one that moves the points.
+  /// Room for the velocities that move points [begin, end), in flip and xpic not their own.
   struct Moving
   {
-    Array<double> vx, vy; // empty: points move with their own velocity
+    double *vx = nullptr, *vy = nullptr; // that of point `begin` first; null: their own
   };
 
   /// Velocity and velocity gradient of points [begin, end) from the nodes.
-  void gather(const Scheme &, const FoldTable &, const Grid &, Points &, Moving &,
+  void gather(const Scheme &, const FoldTable &, const Grid &, Points &, const Moving &,
               std::size_t begin, std::size_t end);
 
   /// APIC's affine part in place of the velocity gradient, once the stress update is done with it.

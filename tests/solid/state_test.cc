@@ -30,9 +30,14 @@ TEST(Points, NeedAtMost130Bytes)
 TEST(Threads, DoNotChangeABit)
 {
   const scene::Scene scene = small::sheared_bar(20, 0.03);
-  const solid::Owner one = solid::make_solid(scene, 1), two = solid::make_solid(scene, 2);
-  solid::advance(*one, 0.03), solid::advance(*two, 0.03);
-  EXPECT_TRUE(solid::checkpoint(*one) == solid::checkpoint(*two));
+  const solid::Owner one = solid::make_solid(scene, 1);
+  solid::advance(*one, 0.03);
+  for (const int threads : {2, 3, 16}) // 16: more than there are blocks of rows
+  {
+    const solid::Owner many = solid::make_solid(scene, threads);
+    solid::advance(*many, 0.03);
+    EXPECT_TRUE(solid::checkpoint(*one) == solid::checkpoint(*many)) << threads << " threads";
+  }
 }
 
 TEST(Checkpoint, GoesOnToTheSameBits)
