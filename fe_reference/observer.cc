@@ -2,19 +2,25 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <sstream>
 
 #include "scene/geometry.h"
+#include "scene/quantities.h"
 #include "scene/schedule.h"
 
 namespace fe
 {
   namespace
   {
+    // The melt's quantities of a passive marker are left to those who know a melt.
     std::vector<std::string> names_of(const scene::Probe &probe)
     {
+      std::vector<std::string> names;
+      std::copy_if(probe.of.begin(), probe.of.end(), std::back_inserter(names),
+                   [](const std::string &name) { return !scene::is_melt_quantity(name); });
       if (!probe.of.empty())
-        return probe.of;
+        return names;
       return {"von_mises", "plastic_strain", "pressure", "stress_xx",      "stress_yy",
               "stress_zz", "stress_xy",      "jacobian", "displacement_x", "displacement_y"};
     }
@@ -183,13 +189,12 @@ namespace fe
       if (held.name != support)
         continue;
       std::vector<double> row(4, 0.);
-      for (int c = 0; c < 2; ++c)
-      {
+      for (int c = 0; c < 2; ++c) // a component that is left free has no displacement of its own
         for (const int n : held.nodes[c])
+        {
           row[c] += state.internal[2 * n + c] - state.external[2 * n + c];
-        for (const int n : held.all_nodes)
-          row[2 + c] += state.u[2 * n + c] / static_cast<double>(held.all_nodes.size());
-      }
+          row[2 + c] += state.u[2 * n + c] / static_cast<double>(held.nodes[c].size());
+        }
       const bool si = scene.units == scene::Units::si;
       const std::string force = si ? "N/m" : "sigma_Y*W0", length = si ? "m" : "W0";
       writer->table(name,
@@ -205,6 +210,8 @@ namespace fe
     if (!writer)
       return;
     const std::vector<std::string> names = names_of(probe);
+    if (names.empty())
+      return;
     const record::Columns columns = columns_of(names, scene.units);
     if (const auto *line = std::get_if<scene::LineProbe>(&probe.kind))
       writer->line(probe.name, columns, state.time, sample_line(body, *line, names, default_bin));

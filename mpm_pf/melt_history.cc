@@ -6,6 +6,7 @@
 
 #include "medium/contour.h"
 #include "melt/ledger.h"
+#include "scene/keys.h"
 
 namespace
 {
@@ -125,14 +126,15 @@ HistoryColumns melt_history(const World &world)
   if (!world.mesh)
     return row;
   const Mesh &mesh = *world.mesh;
+  const std::string length = scene::unit_text(scene::Dimension::length, world.scene->units);
   if (world.phase)
   {
     const auto &phi = world.phase->value;
     const auto contour = phase_contour(world);
     const Spread spread = spread_of(phi, mesh);
-    row.add("solid_area", "W0^2", medium::enclosed_area(contour));
-    row.add("interface_length", "W0", medium::interface_length(contour, inner_box(world)));
-    row.add("interface_width", "W0", mean_interface_width(phi, mesh, contour));
+    row.add("solid_area", length + "^2", medium::enclosed_area(contour));
+    row.add("interface_length", length, medium::interface_length(contour, inner_box(world)));
+    row.add("interface_width", length, mean_interface_width(phi, mesh, contour));
     row.add("phi_min", "1", spread.min);
     row.add("phi_max", "1", spread.max);
     if (mesh.nodes[0] == mesh.nodes[1])
@@ -145,7 +147,7 @@ HistoryColumns melt_history(const World &world)
     row.add("theta_variance", "(L/cp)^2", spread.variance);
     row.add("theta_min", "L/cp", spread.min);
     row.add("theta_max", "L/cp", spread.max);
-    row.add("heat_content", "L/cp W0^2", heat_content(world));
+    row.add("heat_content", "L/cp " + length + "^2", heat_content(world));
   }
   if (world.growth)
     row.add("active_tiles", "1",

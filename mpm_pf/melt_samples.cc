@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "scene/quantities.h"
-
 namespace
 {
   constexpr double missing = std::numeric_limits<double>::quiet_NaN();
@@ -31,17 +29,13 @@ namespace
     if (name == "crystal_angle" && world.orientation)
       return world.orientation->varying() ? bilinear(world.orientation->angle, *world.mesh, x)
                                           : world.orientation->uniform_angle;
+    if (name == "velocity_x" && world.imposed)
+      return bilinear(world.velocity->x, *world.mesh, x);
+    if (name == "velocity_y" && world.imposed)
+      return bilinear(world.velocity->y, *world.mesh, x);
     return missing;
   }
 } // namespace
-
-bool asks_the_melt(const scene::Probe &probe)
-{
-  const auto &melt = scene::melt_quantities;
-  return std::any_of(probe.of.begin(), probe.of.end(),
-                     [&](const std::string &name)
-                     { return std::find(melt.begin(), melt.end(), name) != melt.end(); });
-}
 
 record::LineSample sample_melt(const World &world, std::vector<scene::Point> positions,
                                const std::vector<std::string> &of)
@@ -52,6 +46,17 @@ record::LineSample sample_melt(const World &world, std::vector<scene::Point> pos
       sample.values.push_back(value_of(world, name, x));
   sample.position = std::move(positions);
   return sample;
+}
+
+void overlay(std::vector<double> &values, const std::vector<std::string> &of,
+             const std::vector<double> &solid, const std::vector<std::string> &names)
+{
+  for (std::size_t k = 0; k < names.size(); ++k)
+  {
+    const auto column = std::find(of.begin(), of.end(), names[k]) - of.begin();
+    for (std::size_t row = 0; row * of.size() < values.size(); ++row)
+      values[row * of.size() + column] = solid[row * names.size() + k];
+  }
 }
 
 std::vector<scene::Point> positions_of(const scene::LineProbe &line)

@@ -4,12 +4,14 @@
 #include "record/writer.h"
 #include "world.h"
 
-/// Whether a probe asks for a quantity of the melt (scene/quantities.h).
-bool asks_the_melt(const scene::Probe &);
-
-/// Bilinear values of `of`, one row per position; NaN outside the mesh or where a module is absent.
+/// Bilinear values of `of`, one row per position; NaN outside the mesh and for what the melt does
+/// not know. Velocities are those of an imposed motion.
 record::LineSample sample_melt(const World &, std::vector<scene::Point> positions,
                                const std::vector<std::string> &of);
+
+/// Writes the columns of `solid`, named by `names`, over those of the same names among `of`.
+void overlay(std::vector<double> &values, const std::vector<std::string> &of,
+             const std::vector<double> &solid, const std::vector<std::string> &names);
 
 /// `count` equidistant positions from a to b, both included.
 std::vector<scene::Point> positions_of(const scene::LineProbe &);

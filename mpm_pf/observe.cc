@@ -1,10 +1,13 @@
 #include "observe.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 
 #include "melt_history.h"
 #include "melt_samples.h"
+#include "scene/keys.h"
+#include "scene/quantities.h"
 #include "solid/growing.h"
 #include "solid/moving_walls.h"
 
@@ -13,21 +16,32 @@ namespace
   /// Names of a probe's columns, with units in the scene's system.
   record::Columns columns_of(const scene::Probe &probe, const World &world)
   {
-    const bool si = world.scene->units == scene::Units::si;
     record::Columns columns;
     for (const auto &name : probe.of)
     {
-      const bool stress =
-          name == "von_mises" || name == "pressure" || name.rfind("stress_", 0) == 0;
-      const bool length = name.rfind("displacement_", 0) == 0;
-      const bool speed = name.rfind("velocity_", 0) == 0;
+      const auto starts = [&](const char *text) { return name.rfind(text, 0) == 0; };
+      using scene::Dimension;
+      const Dimension dimension = name == "von_mises" || name == "pressure" || starts("stress_")
+                                      ? Dimension::stress
+                                  : starts("displacement_") ? Dimension::length
+                                  : starts("velocity_")     ? Dimension::speed
+                                  : name == "area"          ? Dimension::area
+                                                            : Dimension::none;
+      const std::string unit = scene::unit_text(dimension, world.scene->units);
       columns.names.push_back(name);
-      columns.units.push_back(stress   ? (si ? "Pa" : "sigma_Y")
-                              : length ? (si ? "m" : "W0")
-                              : speed  ? (si ? "m/s" : "W0/tau0")
-                                       : "1");
+      columns.units.push_back(unit.empty() ? "1" : unit);
     }
     return columns;
+  }
+
+  /// Those of a probe's quantities that the material points know.
+  std::vector<std::string> of_solid(const scene::Probe &probe, const World &world)
+  {
+    std::vector<std::string> names;
+    if (world.solid)
+      std::copy_if(probe.of.begin(), probe.of.end(), std::back_inserter(names),
+                   [](const std::string &name) { return !scene::is_melt_quantity(name); });
+    return names;
   }
 
   /// Nothing is there: NaN at nodes behind the walls.
@@ -73,9 +87,10 @@ namespace
   void add_walls(HistoryColumns &row, const World &world)
   {
     row.add("compression", "1", medium::compression(*world.walls));
-    row.add("swept_heat", "L/cp W0^2", world.walls->swept_heat);
+    const std::string length = scene::unit_text(scene::Dimension::length, world.scene->units);
+    row.add("swept_heat", "L/cp " + length + "^2", world.walls->swept_heat);
     for (const auto &wall : world.walls->walls)
-      row.add(column_name(solid::wall_name(wall.side)) + "_position", "W0", wall.position);
+      row.add(column_name(solid::wall_name(wall.side)) + "_position", length, wall.position);
     if (!world.solid)
       return;
     const auto &wall = world.walls->walls.front();
@@ -85,7 +100,7 @@ namespace
                             ? 2
                             : 1);
     const auto number = solid::quasi_static(*world.solid, arm, wall.asked.speed);
-    row.add("inertia_travel", "W0", number.inertia_travel);
+    row.add("inertia_travel", length, number.inertia_travel);
     row.add("inertia_compression", "1", number.inertia_travel / arm);
     row.add("force_imbalance", "1", number.force_imbalance);
   }
@@ -110,17 +125,19 @@ namespace
 void observe(const scene::LineProbe &line, const scene::Probe &probe, const World &world,
              record::Writer &writer)
 {
-  writer.line(probe.name, columns_of(probe, world), world.time,
-              asks_the_melt(probe) ? sample_melt(world, positions_of(line), probe.of)
-                                   : solid::sample_line(*world.solid, line, probe.of));
+  auto sample = sample_melt(world, positions_of(line), probe.of);
+  if (const auto names = of_solid(probe, world); !names.empty())
+    overlay(sample.values, probe.of, solid::sample_line(*world.solid, line, names).values, names);
+  writer.line(probe.name, columns_of(probe, world), world.time, sample);
 }
 
 void observe(const scene::PointProbe &point, const scene::Probe &probe, const World &world,
              record::Writer &writer)
 {
-  writer.table(probe.name, columns_of(probe, world), world.time,
-               asks_the_melt(probe) ? sample_melt(world, {point.at}, probe.of).values
-                                    : solid::sample_point(*world.solid, point, probe.of));
+  auto values = sample_melt(world, {point.at}, probe.of).values;
+  if (const auto names = of_solid(probe, world); !names.empty())
+    overlay(values, probe.of, solid::sample_point(*world.solid, point, names), names);
+  writer.table(probe.name, columns_of(probe, world), world.time, values);
 }
 
 void observe(const scene::RegionProbe &region, const scene::Probe &probe, const World &world,
@@ -147,8 +164,9 @@ void observe(const scene::OutlineProbe &outline, const scene::Probe &probe, cons
 void observe(const scene::SnapshotProbe &, const scene::Probe &probe, const World &world,
              record::Writer &writer)
 {
-  if (world.solid)
-    writer.snapshot(probe.name, world.time, solid::snapshot(*world.solid, probe.of));
+  if (const auto names = of_solid(probe, world);
+      world.solid && (probe.of.empty() || !names.empty()))
+    writer.snapshot(probe.name, world.time, solid::snapshot(*world.solid, names));
   if (world.mesh)
     writer.snapshot(world.solid ? probe.name + " of the melt" : probe.name, world.time,
                     grid_snapshot(world));

@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "observe.h"
+#include "scene/keys.h"
 #include "scene/schedule.h"
 
 Recorder::Recorder(const scene::Scene &scene, record::Writer &out)
@@ -127,9 +128,11 @@ void Recorder::observe_tip(const scene::TipProbe &probe, const scene::Probe &nam
     if (tip->position > 5 * width && tip->radius > 0)
       under_resolved = melt::resolution_warning(tip->radius, mesh, width);
   }
+  const std::string length = scene::unit_text(scene::Dimension::length, world.scene->units);
   const record::Columns columns{
       {"position", "velocity", "velocity_residual", "radius", "radius_residual", "radius_window"},
-      {"W0", "W0/tau0", "W0", "W0", "W0", "W0"}};
+      {length, scene::unit_text(scene::Dimension::speed, world.scene->units), length, length,
+       length, length}};
   const auto value = [&](double melt::Tip::*member) { return tip ? (*tip).*member : none; };
   writer.table(named.name, columns, world.time,
                {value(&melt::Tip::position), velocity.value, velocity.residual,
@@ -139,8 +142,10 @@ void Recorder::observe_tip(const scene::TipProbe &probe, const scene::Probe &nam
 void Recorder::observe_reaction(ReactionWatch &watch, const World &world)
 {
   const auto reaction = solid::reaction(*world.solid, watch.support);
+  const bool si = world.scene->units == scene::Units::si;
+  const std::string force = si ? "N/m" : "sigma_Y*W0", length = si ? "m" : "W0";
   const record::Columns columns{{"force_x", "force_y", "displacement_x", "displacement_y"},
-                                {"N/m", "N/m", "m", "m"}};
+                                {force, force, length, length}};
   for (const auto &row : watch.window.see(world.time, reaction.impulse, reaction.displacement))
     writer.table(watch.name, columns, row.time,
                  {row.force[0], row.force[1], row.displacement[0], row.displacement[1]});

@@ -4,21 +4,30 @@
 #include <cmath>
 #include <limits>
 
-#include "scene/geometry.h"
+#include "capacity.h"
+#include "scene/interface_distance.h"
 
 namespace
 {
   using medium::Field;
   using medium::Mesh;
 
+  /// The profile is flat to 1e-12 beyond 20 W; chords of 0.2 W leave 1e-3 W on a seed of 5 W.
+  scene::InterfaceDistance distance_to_interface(const scene::Scene &scene)
+  {
+    const double width = scene.phase_field->width;
+    return {scene.bodies, scene.domain, 20. * width, 0.2 * width};
+  }
+
   /// phi = tanh(d / (sqrt(2) W)), d the signed distance to the bodies: the equilibrium profile.
   Field<double> phase_of_bodies(const scene::Scene &scene, const Mesh &mesh)
   {
     Field<double> phi(mesh);
+    const scene::InterfaceDistance distance = distance_to_interface(scene);
     for (int j = 0; j < mesh.nodes[1]; ++j)
       for (int i = 0; i < mesh.nodes[0]; ++i)
-        phi(i, j) = std::tanh(scene::signed_distance(scene.bodies, mesh.position(i, j)) /
-                              (std::sqrt(2.) * scene.phase_field->width));
+        phi(i, j) =
+            std::tanh(distance(mesh.position(i, j)) / (std::sqrt(2.) * scene.phase_field->width));
     medium::fill_ghosts(phi, mesh);
     return phi;
   }
@@ -30,15 +39,14 @@ namespace
   {
     Field<double> gradient(mesh);
     const double small = 1e-5 * mesh.spacing[axis];
+    const scene::InterfaceDistance distance = distance_to_interface(scene);
     scene::Point shift = scene::Point::Zero();
     shift[axis] = small;
     for (int j = 0; j < mesh.nodes[1]; ++j)
       for (int i = 0; i < mesh.nodes[0]; ++i)
       {
         const scene::Point x = mesh.position(i, j);
-        const double slope = (scene::signed_distance(scene.bodies, x + shift) -
-                              scene::signed_distance(scene.bodies, x - shift)) /
-                             (2 * small);
+        const double slope = (distance(x + shift) - distance(x - shift)) / (2 * small);
         gradient(i, j) =
             (1 - phi(i, j) * phi(i, j)) / (std::sqrt(2.) * scene.phase_field->width) * slope;
       }
@@ -112,6 +120,7 @@ namespace
 
 World build_world(const scene::Scene &scene, const int threads, const bool force)
 {
+  refuse_more_than_memory(scene, least_bytes(scene));
   World world;
   world.scene = &scene;
   world.threads = threads;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "scene/keys.h"
+#include "scene/quantities.h"
 
 namespace scene
 {
@@ -151,6 +152,32 @@ namespace scene
       }
     }
 
+    // What a line, point or region records if it does not say: all that the modules know.
+    void complete_quantities(Scene &s)
+    {
+      std::vector<std::string> of_solid, of_melt;
+      if (s.solid)
+        of_solid.assign(solid_quantities.begin(), solid_quantities.end());
+      if (s.phase_field)
+        of_melt.emplace_back("phi");
+      if (s.heat)
+        of_melt.emplace_back("theta");
+      if (s.orientation)
+        of_melt.emplace_back("crystal_angle");
+      if (s.imposed)
+        of_melt.insert(of_melt.end(), {"velocity_x", "velocity_y"});
+      for (Probe &probe : s.probes)
+      {
+        const bool region = std::holds_alternative<RegionProbe>(probe.kind);
+        if (!probe.of.empty() || !(region || std::holds_alternative<LineProbe>(probe.kind) ||
+                                   std::holds_alternative<PointProbe>(probe.kind)))
+          continue;
+        probe.of = of_solid;
+        if (!region)
+          probe.of.insert(probe.of.end(), of_melt.begin(), of_melt.end());
+      }
+    }
+
     void refuse_unknown_sections(const Value &root, Complaints &complaints)
     {
       std::vector<std::string> known = find_section("")->key_names();
@@ -217,5 +244,6 @@ namespace scene
     take_list<ProbeInput>("probe", draft, complaints, build_probe);
     take_walls(draft, complaints);
     take_modules(draft, complaints);
+    complete_quantities(s);
   }
 } // namespace scene

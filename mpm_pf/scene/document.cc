@@ -73,11 +73,35 @@ namespace scene
       return value;
     }
 
+    // Past the comment or text that starts at `i`, else `i`: what stands there nests nothing.
+    std::size_t past_text(const std::string &text, const std::size_t i)
+    {
+      const char quote = text[i];
+      if (quote == '#')
+        return std::min(text.find('\n', i), text.size());
+      if (quote != '"' && quote != '\'')
+        return i;
+      const std::string triple(3, quote);
+      if (text.compare(i, 3, triple) == 0)
+        return std::min(text.find(triple, i + 3), text.size() - 3) + 3;
+      std::size_t k = i + 1;
+      while (k < text.size() && text[k] != quote && text[k] != '\n')
+        k += quote == '"' && text[k] == '\\' ? 2 : 1;
+      return std::min(k + 1, text.size());
+    }
+
     bool nested_too_deeply(const std::string &text)
     {
       int depth = 0, dots = 0;
-      for (const char c : text)
+      for (std::size_t i = 0; i < text.size(); ++i)
       {
+        const std::size_t next = past_text(text, i);
+        if (next > i)
+        {
+          i = next - 1;
+          continue;
+        }
+        const char c = text[i];
         depth += (c == '[' || c == '{') - (c == ']' || c == '}');
         dots = c == '\n' || c == ',' || c == '=' ? 0 : dots + (c == '.');
         if (depth > deepest_nesting || dots > deepest_nesting)

@@ -34,6 +34,21 @@ namespace scene
       return s >= 1. ? t - 0.5 * T : T * s * s * s * s * (2.5 + s * (-3. + s));
     }
 
+    // Fields that diffuse from planes and cylinders start from these.
+    double error_function(const double x)
+    {
+      return std::erf(x);
+    }
+    double complementary_error_function(const double x)
+    {
+      return std::erfc(x);
+    }
+    /// E1(x), the integral of exp(-s)/s from x to infinity, x > 0.
+    double exponential_integral(const double x)
+    {
+      return -std::expint(-x);
+    }
+
     [[noreturn]] void refuse(const Expression &expression, const std::string &cause)
     {
       throw BadExpression(expression, cause);
@@ -109,6 +124,9 @@ namespace scene
       parser.DefineVar("t", &argument.t);
       parser.DefineFun("smooth", smooth);
       parser.DefineFun("ramp", ramp);
+      parser.DefineFun("erf", error_function);
+      parser.DefineFun("erfc", complementary_error_function);
+      parser.DefineFun("E1", exponential_integral);
     }
   };
 

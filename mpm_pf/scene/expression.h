@@ -19,7 +19,8 @@ namespace scene
   /// What an expression may be made of, for messages and the manual.
   inline constexpr const char *allowed_in_expressions =
       "numbers, X, Y (initial position), x, y (current position), t, pi, + - * / ^ ( ), sin, cos, "
-      "exp, sqrt, abs, min, max, a < b ? c : d, smooth(t, T), ramp(t, T)";
+      "exp, sqrt, abs, min, max, erf, erfc, E1 (exponential integral), a < b ? c : d, "
+      "smooth(t, T), ramp(t, T)";
 
   /// The text is no expression; what() says all, `cause` only why.
   struct BadExpression : BadScene

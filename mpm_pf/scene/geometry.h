@@ -16,7 +16,10 @@ namespace scene
   /// Smallest box around all bodies.
   Box bounding_box(const std::vector<Body> &);
 
-  /// Outline of the union as closed polylines, vertices at most `spacing` apart (circles and edges
+  /// Outline of the union as closed polylines; curves are chords of at most `spacing`.
+  std::vector<Polyline> union_outline(const std::vector<Body> &, double spacing);
+
+  /// The same, vertices at most `spacing` apart (circles and edges
   /// are subdivided).
   std::vector<Polyline> outline(const std::vector<Body> &, double spacing);
 

@@ -52,7 +52,8 @@ namespace scene
           .require("undercooling", &Heat::undercooling, between(0., 1.),
                    "Delta: the melt starts at theta = -Delta.", "")
           .add("initial", &Heat::initial, any(), "First theta, of X and Y, instead.",
-               "absent: -Delta in the melt, 0 in the bodies")
+               "absent: -Delta everywhere, seeds included; a large body at the melting "
+               "temperature needs an expression")
           .optional();
     }
 

@@ -32,10 +32,13 @@ namespace scene
                  "needed by lines")
             .add("bin", &P::bin, positive(Dimension::length),
                  "Side of the square over which stresses are averaged along a line.",
-                 "absent: a twentieth of the smaller side of the bodies, the same at every "
-                 "resolution")
+                 "absent: a twentieth of the bodies' width, the same at every resolution; four "
+                 "cells "
+                 "where a solid grows")
             .add("frame", &P::frame, any(),
-                 "Are the positions of a line or point current (x, y), or material (X, Y)?",
+                 "Are the positions of a line or point current (x, y), or material (X, Y)? Fields "
+                 "of "
+                 "the melt are always taken at current positions.",
                  "absent: current for lines, material for points of a solid")
             .add("of", &P::of, any(), "Quantities to record.",
                  "absent: all that the modules of the scene know")

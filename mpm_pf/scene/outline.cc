@@ -84,13 +84,20 @@ namespace scene
     }
 
     template <class Ring>
-    Polyline subdivided(const Ring &ring, const double spacing)
+    Polyline line_of(const Ring &ring)
     {
       Polyline line;
-      for (std::size_t i = 0; i < ring.size(); ++i)
+      for (const Vertex &v : ring)
+        line.emplace_back(v.x(), v.y());
+      return line;
+    }
+
+    Polyline subdivided(const Polyline &corners, const double spacing)
+    {
+      Polyline line;
+      for (std::size_t i = 0; i < corners.size(); ++i)
       {
-        const Vertex &v = ring[i], &w = ring[(i + 1) % ring.size()];
-        const Point a(v.x(), v.y()), b(w.x(), w.y());
+        const Point &a = corners[i], &b = corners[(i + 1) % corners.size()];
         const int parts = std::max(1, static_cast<int>(std::ceil((b - a).norm() / spacing - 1e-9)));
         for (int k = 0; k < parts; ++k)
           line.push_back(a + (b - a) * (static_cast<double>(k) / parts));
@@ -99,7 +106,7 @@ namespace scene
     }
   } // namespace
 
-  std::vector<Polyline> outline(const std::vector<Body> &bodies, const double spacing)
+  std::vector<Polyline> union_outline(const std::vector<Body> &bodies, const double spacing)
   {
     std::vector<Areas> parts;
     for (const Body &body : bodies)
@@ -109,10 +116,18 @@ namespace scene
     std::vector<Polyline> lines;
     for (const Area &area : sum)
     {
-      lines.push_back(subdivided(area.outer(), spacing));
+      lines.push_back(line_of(area.outer()));
       for (const auto &hole : area.inners())
-        lines.push_back(subdivided(hole, spacing));
+        lines.push_back(line_of(hole));
     }
+    return lines;
+  }
+
+  std::vector<Polyline> outline(const std::vector<Body> &bodies, const double spacing)
+  {
+    std::vector<Polyline> lines = union_outline(bodies, spacing);
+    for (Polyline &line : lines)
+      line = subdivided(line, spacing);
     return lines;
   }
 } // namespace scene

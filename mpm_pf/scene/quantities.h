@@ -1,6 +1,7 @@
 // Names of what a probe can ask for: the one list that both solvers and the comparisons use.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 
@@ -16,4 +17,9 @@ namespace scene
 
   /// Quantities of the melt side; theta = (T - Tm)/(L/cp).
   inline constexpr std::array<std::string_view, 3> melt_quantities{"phi", "theta", "crystal_angle"};
+
+  inline bool is_melt_quantity(const std::string_view name)
+  {
+    return std::find(melt_quantities.begin(), melt_quantities.end(), name) != melt_quantities.end();
+  }
 } // namespace scene

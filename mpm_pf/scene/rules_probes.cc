@@ -57,9 +57,16 @@ namespace scene
         return {"orientation"};
       if (quantity == "velocity_x" || quantity == "velocity_y")
         return {"solid", "imposed"};
-      if (quantity == "area")
-        return {"solid", "phase_field"};
       return {"solid"};
+    }
+
+    // A volume mean is taken over material points or finite elements, which know no melt.
+    void check_of_region(const std::string &quantity, const Value &at, const Inspection &in)
+    {
+      if (is_melt_quantity(quantity))
+        in.complaints.add(at, "a region's mean of \"" + quantity + "\": regions are of the solid",
+                          "quantities of the solid: " + listed(texts(solid_quantities)),
+                          "a line or point probe, or history = true for means over the domain");
     }
 
     const Value &item_or_whole(const Value &list, const std::size_t index)
@@ -122,6 +129,8 @@ namespace scene
                             "the quantity \"" + of[k] + "\" needs [" + modules.front() + "]",
                             "quantities of the modules that are on",
                             "add [" + modules.front() + "], or leave the quantity out");
+        else if (std::holds_alternative<RegionProbe>(in.scene().probes[i].kind))
+          check_of_region(of[k], item_or_whole(*list, k), in);
       }
     }
   }
@@ -155,6 +164,9 @@ namespace scene
       if (std::holds_alternative<TipProbe>(probe.kind) && !in.present("phase_field"))
         in.complain(*at.find("tip"), "a dendrite tip without [phase_field]", "",
                     "add [phase_field], or remove the probe");
+      if (std::holds_alternative<RegionProbe>(probe.kind) && !in.present("solid"))
+        in.complain(*at.find("region"), "a mean over material without [solid]", "",
+                    "history = true gives means over the domain; or add [solid]");
       if (const auto *outline = std::get_if<OutlineProbe>(&probe.kind))
       {
         const std::string needed = outline->of == OutlineProbe::Of::phase ? "phase_field" : "solid";

@@ -28,6 +28,15 @@ TEST(Expression, KnowsPi)
   EXPECT_EQ(value("2*pi"), 2. * std::acos(-1.));
 }
 
+// Abramowitz and Stegun, Tables 5.1 and 7.1.
+TEST(Expression, KnowsTheErrorFunctionAndTheExponentialIntegral)
+{
+  EXPECT_NEAR(value("erf(0.5)"), 0.5204998778, 1e-10);
+  EXPECT_NEAR(value("erfc(0.5)"), 1. - 0.5204998778, 1e-10);
+  EXPECT_NEAR(value("E1(0.5)"), 0.559773595, 1e-9);
+  EXPECT_NEAR(value("E1(2.0)"), 0.048900511, 1e-9);
+}
+
 TEST(Expression, SaysWhatItDependsOn)
 {
   EXPECT_TRUE(function("2*3").is_constant());

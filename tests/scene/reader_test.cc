@@ -2,6 +2,7 @@
 #include "scene_file.h"
 
 #include "scene/geometry.h"
+#include "scene/quantities.h"
 
 using namespace scene_test;
 using scene::read_scene;
@@ -104,6 +105,26 @@ TEST(ReadScene, RefusesNestingThatNoSceneHas)
   const std::string said =
       complaints(folder.write("deep.toml", "a = " + std::string(100000, '[') + "\n"));
   EXPECT_NE(said.find("deeper"), std::string::npos) << said;
+}
+
+// Dots and brackets in texts and comments nest nothing; those after a text do.
+TEST(ReadScene, AcceptsDotsAndBracketsInTextsAndComments)
+{
+  const Folder folder;
+  std::string sum = "0.0";
+  for (int i = 0; i < 40; ++i)
+    sum += " + 0.0*abs(0.5)";
+  const std::string dots(40, '.');
+  const std::string text = "# " + dots + std::string(40, '[') + "\ntitle = 'it\"s " + dots + "'\n" +
+                           with(bar, "\"0.4*t\"", "\"0.4*t + " + sum + "\"");
+  EXPECT_EQ(complaints(folder.write("long.toml", text.substr(0, text.find("title = \"")) +
+                                                     text.substr(text.find("[domain]")))),
+            "");
+  for (const std::string first : {"a = \"x\\\"\"", "a = 'x\\'", "a = \"\"\"x\"\"\"", "a = \"x"})
+    EXPECT_NE(complaints(folder.write("deep.toml", first + "\nb = " + std::string(1000, '[')))
+                  .find("deeper"),
+              std::string::npos)
+        << first;
 }
 
 TEST(Include, MergesSectionsAndNamedEntries)
@@ -235,6 +256,27 @@ TEST(Probe, HasExactlyOneKind)
                               bar + "[[probe]]\nname = \"x\"\nhistory = true\nsnapshot = true\n"))
           .find("exclude each other"),
       std::string::npos);
+}
+
+TEST(Probe, AsksForAllThatTheModulesKnowIfItDoesNotSay)
+{
+  const Folder folder;
+  const std::string probes = "[[probe]]\nname = \"p\"\nat = [1, 1]\n"
+                             "[[probe]]\nname = \"r\"\nregion = \"all\"\n";
+  const std::string solid = "[solid]\nyoung_modulus = 1\npoisson_ratio = 0\ndensity = 1\n";
+  const auto probe = [&](const std::string &text, const std::string &name)
+  {
+    for (const auto &candidate : scene::read_scene(folder.write("scene.toml", text)).probes)
+      if (candidate.name == name)
+        return candidate.of;
+    return std::vector<std::string>{};
+  };
+  const std::vector<std::string> melt{"phi", "theta"};
+  EXPECT_EQ(probe(seed + probes.substr(0, probes.find("[[probe]]", 3)), "p"), melt);
+  const auto both = probe(seed + solid + probes, "p");
+  EXPECT_EQ(both.size(), scene::solid_quantities.size() + 2);
+  EXPECT_EQ(both.back(), "theta");
+  EXPECT_EQ(probe(seed + solid + probes, "r").size(), scene::solid_quantities.size());
 }
 
 TEST(Wall, StartsByTimeOrByDistance)

@@ -155,6 +155,12 @@ reaction = "top"
             {"stretched_quantity",
              plus(seed, "[[probe]]\nname = \"p\"\nat = [1, 1]\nof = [\"von_mises\"]\n"),
              "of = ", "needs [solid]"},
+            {"region_without_solid", plus(seed, "[[probe]]\nname = \"r\"\nregion = \"all\"\n"),
+             "region = ", "without [solid]"},
+            {"mean_of_phi",
+             plus(seed, "[solid]\nyoung_modulus = 1\npoisson_ratio = 0\ndensity = 1\n"
+                        "[[probe]]\nname = \"r\"\nregion = \"all\"\nof = [\"phi\"]\n"),
+             "of = ", "regions are of the solid"},
             {"body_velocity_without_solid",
              with(seed, "radius = 8.0", "radius = 8.0\nvelocity = [1, 0]"), "velocity",
              "without [solid]"},
