@@ -52,9 +52,13 @@ namespace solid
                 [&](const int b)
                 {
                   clear_nodes(grid, b);
-                  scatter(solid.scheme, solid.supports.folds, solid.points,
-                          solid.loads.acceleration, 1. / solid.material.density, grid,
-                          grid.blocks[b].begin, grid.blocks[b].end);
+                  for_pieces(grid.blocks[b],
+                             [&](const std::size_t p, const std::size_t q)
+                             {
+                               scatter(solid.scheme, solid.supports.folds, solid.points,
+                                       solid.loads.acceleration, 1. / solid.material.density, grid,
+                                       p, q);
+                             });
                 });
     }
 

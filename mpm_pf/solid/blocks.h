@@ -10,12 +10,13 @@ namespace solid
 {
   inline constexpr std::size_t piece_points = 128;
 
-  /// Call f(begin, end) for pieces of a block that fit in the nearest cache.
+  /// Call f(begin, end) for pieces of a block that fit in the nearest cache. All but the first
+  /// start on a cache line.
   template <typename F>
   void for_pieces(const Block &block, F &&f)
   {
-    for (std::size_t p = block.begin; p < block.end; p += piece_points)
-      f(p, std::min(p + piece_points, block.end));
+    for (std::size_t p = block.begin, q; p < block.end; p = q)
+      f(p, q = std::min(p - p % piece_points + piece_points, block.end));
   }
 
   /// Call f(b) for even blocks, then for odd ones: neighbours never write at the same time.

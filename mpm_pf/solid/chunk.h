@@ -29,6 +29,12 @@ namespace solid
     }
   };
 
+  /// First nodes of the three rows of three around (i, j).
+  inline std::array<std::ptrdiff_t, 3> rows_around(const Grid &grid, const int i, const int j)
+  {
+    return {grid.at(i - 1, j - 1), grid.at(i - 1, j), grid.at(i - 1, j + 1)};
+  }
+
   /// Nearest nodes and weights of a chunk of points. `moments`: pairs start with weight times
   /// distance, as points to nodes needs it; else with the weight.
   template <Shape shape, bool moments>

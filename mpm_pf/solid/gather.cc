@@ -16,18 +16,18 @@ namespace solid
       alignas(64) double along_x[4 * chunk_points], along_y[4 * chunk_points];
     };
 
-    // Points [k, end) of the chunk share the nine nodes around (i, j).
+    // Points [k, end) of the chunk share the nine nodes of which first[b] is the first of a row.
     inline __attribute__((always_inline)) void sum_run(const ChunkWeights &x, const ChunkWeights &y,
-                                                       const Grid &grid,
-                                                       const Array<Velocity> &field, Sums &sums,
-                                                       const int i, const int j, std::size_t k,
+                                                       const Velocity *const field,
+                                                       const std::array<std::ptrdiff_t, 3> first,
+                                                       Sums &sums, std::size_t k,
                                                        const std::size_t end)
     {
       Quad node[3][3];
 #pragma GCC unroll 3
       for (int b = 0; b < 3; ++b)
       {
-        const Velocity *const row = &field[grid.at(i - 1, j - 1 + b)];
+        const Velocity *const row = field + first[b];
 #pragma GCC unroll 3
         for (int a = 0; a < 3; ++a)
         {
@@ -57,7 +57,8 @@ namespace solid
       for (std::size_t k = 0; k < count;)
       {
         const std::size_t stop = chunk.run_end(k, count);
-        sum_run(chunk.x, chunk.y, grid, field, sums, chunk.i[k], chunk.j[k], k, stop);
+        sum_run(chunk.x, chunk.y, field.data(), rows_around(grid, chunk.i[k], chunk.j[k]), sums, k,
+                stop);
         k = stop;
       }
     }

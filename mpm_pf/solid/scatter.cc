@@ -44,11 +44,12 @@ namespace solid
       }
     }
 
-    // Points [k, end) of the chunk share the nine nodes around (i, j).
+    // Points [k, end) of the chunk share the nine nodes of which row[b] is the first of a row.
     inline __attribute__((always_inline)) void add_run(const ChunkWeights &x, const ChunkWeights &y,
-                                                       const Carried &from, Grid &grid, const int i,
-                                                       const int j, std::size_t k,
-                                                       const std::size_t end)
+                                                       const Carried &from, Node *const nodes,
+                                                       double *const node_mass,
+                                                       const std::array<std::ptrdiff_t, 3> row,
+                                                       std::size_t k, const std::size_t end)
     {
       Quad sum[3][3] = {}, mass[3] = {};
       for (; k < end; ++k)
@@ -77,12 +78,11 @@ namespace solid
 #pragma GCC unroll 3
       for (int b = 0; b < 3; ++b)
       {
-        const std::ptrdiff_t n = grid.at(i - 1, j - 1 + b);
         // The fourth column gets nothing; every row has room for it (grid.cc).
-        store<Quad>(&grid.mass[n], load<Quad>(&grid.mass[n]) + mass[b]);
+        store<Quad>(node_mass + row[b], load<Quad>(node_mass + row[b]) + mass[b]);
 #pragma GCC unroll 3
         for (int a = 0; a < 3; ++a)
-          grid.nodes[n + a].motion += sum[b][a];
+          nodes[row[b] + a].motion += sum[b][a];
       }
     }
 
@@ -101,7 +101,8 @@ namespace solid
         for (std::size_t k = 0; k < count;)
         {
           const std::size_t stop = chunk.run_end(k, count);
-          add_run(chunk.x, chunk.y, carried, grid, chunk.i[k], chunk.j[k], k, stop);
+          add_run(chunk.x, chunk.y, carried, grid.nodes.data(), grid.mass.data(),
+                  rows_around(grid, chunk.i[k], chunk.j[k]), k, stop);
           k = stop;
         }
       }

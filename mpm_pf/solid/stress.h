@@ -93,9 +93,10 @@ namespace solid
       return {{xx + p, yy + p, zz + p, xy}, 0., 0.};
     const double q2 = 1.5 * (xx * xx + yy * yy + zz * zz) + 3. * xy * xy;
     const double q = std::sqrt(std::max(q2, 1e-300));
-    const double over = std::max(q - flow.yield_stress, 0.);             // {f_Y}
-    const double gamma = over / (3. * flow.shear + flow.viscosity_rate); // Eq. (6), closed form
-    const double keep = 1. - 3. * flow.shear * gamma / q;                // Eq. (5), along s
+    const double compliance = 1. / (3. * flow.shear + flow.viscosity_rate); // once for all points
+    const double over = std::max(q - flow.yield_stress, 0.);                // {f_Y}
+    const double gamma = over * compliance;                                 // Eq. (6), closed form
+    const double keep = 1. - 3. * flow.shear * gamma / q;                   // Eq. (5), along s
     xx *= keep, yy *= keep, zz *= keep, xy *= keep;
     return {{xx + p, yy + p, zz + p, xy}, gamma, gamma * q * keep};
   }
