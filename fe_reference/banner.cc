@@ -3,6 +3,7 @@
 #include <sstream>
 
 #include "scene/expression.h"
+#include "scene/presets.h"
 #include "scene/reader.h"
 
 namespace fe
@@ -87,7 +88,7 @@ namespace fe
          << (scene.body_force ? "[body_force], " : "") << scene.probes.size() << " [[probe]]\n";
     if (!scene.fe)
       text << "  on       [fe] with its defaults\n";
-    text << skipped;
+    text << skipped << scene::describe_preset(scene);
     return text.str();
   }
 } // namespace fe

@@ -233,7 +233,10 @@ namespace scene
   {
     Value tree = file_tree(path, nullptr, {}, complaints);
     for (const std::string &text : overrides)
-      override_with(tree, parsed(as_toml(text), "--set", complaints), complaints);
+      if (text.size() > 1 && text.back() == '=' && text.find('=') == text.size() - 1)
+        take_away(tree, text.substr(0, text.size() - 1), complaints);
+      else
+        override_with(tree, parsed(as_toml(text), "--set", complaints), complaints);
     name_places(tree, "");
     return tree;
   }

@@ -100,4 +100,22 @@ namespace scene
       }
     merge(base, rest);
   }
+
+  void take_away(Value &base, const std::string &path, Complaints &complaints)
+  {
+    const std::size_t dot = path.find('.');
+    const std::string section = dot == std::string::npos ? "" : path.substr(0, dot);
+    const std::string key = dot == std::string::npos ? path : path.substr(dot + 1);
+    const Section *known = find_section(section);
+    const Place place{"--set", 1, path};
+    if (!known || known->repeated || !known->find(key))
+    {
+      complaints.add(place, "[error] --set:1: " + path +
+                                "= takes a key away, and there is no key " + path +
+                                " in any section\n  allowed: section.key=");
+      return;
+    }
+    if (Value *table = section.empty() ? &base : base.find(section))
+      table->erase(key);
+  }
 } // namespace scene

@@ -13,4 +13,8 @@ namespace scene
   /// The same for "--set": here an entry of a list of tables is addressed by its label,
   /// support.top.displacement or body.1.size, and must exist.
   void override_with(Value &base, const Value &over, Complaints &);
+
+  /// "--set mpm.mach=": takes a key of a section away, so that its default (or a preset) holds.
+  /// The key must be one of the language; it need not be written.
+  void take_away(Value &base, const std::string &path, Complaints &);
 } // namespace scene

@@ -4,6 +4,7 @@
 
 #include "scene/build.h"
 #include "scene/document.h"
+#include "scene/presets.h"
 #include "scene/rules.h"
 
 namespace scene
@@ -29,10 +30,11 @@ namespace scene
   Scene read_scene(const std::string &path, const std::vector<std::string> &overrides)
   {
     Complaints complaints;
-    const Value root = load_document(path, overrides, complaints);
+    Value root = load_document(path, overrides, complaints);
     // Without a readable file every section would be missing too: one error tells it all.
     if (root.entries.empty())
       complaints.settle();
+    apply_preset(root, complaints);
     Draft draft{{}, root, {}, {}, {}, {}, {}, {}};
     build(draft, complaints);
     check_rules(draft, complaints);

@@ -1,0 +1,252 @@
+#include "scene/presets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "scene/build.h"
+#include "scene/geometry.h"
+#include "scene/inputs.h"
+
+namespace scene
+{
+  namespace
+  {
+    Value number(const double x)
+    {
+      Value value;
+      value.kind = Value::Kind::number;
+      value.number = x;
+      return value;
+    }
+
+    Value whole(const int n)
+    {
+      Value value;
+      value.kind = Value::Kind::integer;
+      value.integer = n;
+      value.number = n;
+      return value;
+    }
+
+    Value text(const std::string &word)
+    {
+      Value value;
+      value.kind = Value::Kind::text;
+      value.text = word;
+      return value;
+    }
+
+    Value pair(const int a, const int b)
+    {
+      Value value;
+      value.kind = Value::Kind::array;
+      value.items = {whole(a), whole(b)};
+      return value;
+    }
+
+    /// What one level asks for, free of any scene's scale.
+    struct Level
+    {
+      double spacing_of_growth;     // dx/W0 where a crystal grows
+      double spacing_of_marker;     // dx/W where a passive phi is only carried
+      double cells_across_thinnest; // of a solid alone
+      int points_per_cell;          // in each direction
+      double mach;                  // of a solid that is driven, not thrown
+      const char *precision;        // of growth
+      const char *advection;        // scheme
+      int degree;                   // of the finite elements
+      int load_steps;               // of the finite elements
+      double elements_across_thinnest;
+    };
+
+    const Level &level_of(const Accuracy accuracy)
+    {
+      static const Level draft{0.8, 0.67, 5., 2, 1e-2, "float", "cip", 2, 25, 2.},
+          standard{0.6, 0.5, 10., 2, 5e-3, "float", "cip_hermite", 2, 50, 4.},
+          fine{0.4, 0.25, 20., 3, 2e-3, "double", "cip_hermite", 2, 200, 10.};
+      return accuracy == Accuracy::draft ? draft : accuracy == Accuracy::fine ? fine : standard;
+    }
+
+    /// The smallest side of the bodies' bounding boxes; of a ring its thickness.
+    double thinnest(const std::vector<Body> &bodies)
+    {
+      double smallest = 0.;
+      for (const Body &body : bodies)
+      {
+        const Box box = bounding_box({body});
+        double side = (box.upper - box.lower).minCoeff();
+        if (const auto *ring = std::get_if<Ring>(&body.shape))
+          side = ring->outer_radius - ring->inner_radius;
+        smallest = smallest > 0. ? std::min(smallest, side) : side;
+      }
+      return smallest;
+    }
+
+    bool moves(const std::array<std::optional<Expression>, 2> &displacement)
+    {
+      return std::any_of(displacement.begin(), displacement.end(),
+                         [](const auto &component)
+                         { return component && component->text.find('t') != std::string::npos; });
+    }
+
+    /// Driven by supports or walls and by nothing whose time scale is the true density's: only then
+    /// may the density be scaled.
+    bool quasi_static(const Scene &s)
+    {
+      const bool driven = !s.walls.empty() ||
+                          std::any_of(s.supports.begin(), s.supports.end(),
+                                      [](const Support &one) { return moves(one.displacement); });
+      const bool thrown =
+          std::any_of(s.bodies.begin(), s.bodies.end(),
+                      [](const Body &body)
+                      { return body.velocity[0].text != "0" || body.velocity[1].text != "0"; });
+      return driven && !thrown && s.tractions.empty() && !s.body_force;
+    }
+
+    /// A key of the preset: its value, and what the scene holds instead once it is read.
+    struct Choice
+    {
+      std::string section, key;
+      Value value;
+      std::string in_scene;
+    };
+
+    std::string absent_or(const std::optional<double> &value)
+    {
+      return value ? number_text(*value) : "absent";
+    }
+
+    double wanted_spacing(const Scene &s, const Level &level)
+    {
+      if (s.phase_field)
+        return s.phase_field->width *
+               (s.growth ? level.spacing_of_growth : level.spacing_of_marker);
+      return s.solid && !s.bodies.empty() ? thinnest(s.bodies) / level.cells_across_thinnest : 0.;
+    }
+
+    std::array<int, 2> cells_of_domain(const Scene &s, const Level &level)
+    {
+      const double spacing = wanted_spacing(s, level);
+      return spacing > 0. && s.domain.size.minCoeff() > 0. ? square_cells(s.domain.size, spacing)
+                                                           : std::array<int, 2>{0, 0};
+    }
+
+    void choose_solid(std::vector<Choice> &choices, const Scene &s, const Level &level)
+    {
+      const Mpm mpm = s.mpm.value_or(Mpm{});
+      const auto as_text = [](const std::array<int, 2> &two)
+      { return inline_text(pair(two[0], two[1])); };
+      choices.push_back({"mpm", "points_per_cell",
+                         pair(level.points_per_cell, level.points_per_cell),
+                         as_text(mpm.points_per_cell)});
+      if (quasi_static(s))
+        choices.push_back({"mpm", "mach", number(level.mach), absent_or(mpm.mach)});
+      if (s.phase_field || s.bodies.empty())
+        return;
+      const Fe fe = s.fe.value_or(Fe{});
+      const Box box = bounding_box(s.bodies);
+      const Point side = box.upper - box.lower;
+      const double size = thinnest(s.bodies) / level.elements_across_thinnest;
+      const auto along = [&](const int axis)
+      { return std::max(1, static_cast<int>(std::lround(side[axis] / size))); };
+      choices.push_back({"fe", "cells", pair(along(0), along(1)), as_text(fe.cells)});
+      choices.push_back({"fe", "degree", whole(level.degree), std::to_string(fe.degree)});
+      choices.push_back(
+          {"fe", "load_steps", whole(level.load_steps), std::to_string(fe.load_steps)});
+    }
+
+    std::vector<Choice> choices_of(const Scene &s, const Level &level)
+    {
+      std::vector<Choice> choices;
+      if (const auto cells = cells_of_domain(s, level); cells[0] > 0)
+        choices.push_back({"domain", "cells", pair(cells[0], cells[1]),
+                           inline_text(pair(s.domain.cells[0], s.domain.cells[1]))});
+      if (s.solid)
+        choose_solid(choices, s, level);
+      if (s.growth)
+        choices.push_back(
+            {"growth", "precision", text(level.precision), word(s.growth->precision)});
+      if (s.imposed || (s.solid && s.phase_field))
+        choices.push_back({"advection", "scheme", text(level.advection),
+                           word(s.advection.value_or(Advection{}).scheme)});
+      return choices;
+    }
+
+    /// Writes one choice, unless the scene has its own word.
+    void write(const Choice &choice, Value &root, const Value &at)
+    {
+      const auto placed = [&at](Value value)
+      {
+        value.place = at.place;
+        value.origin = at.origin;
+        return value;
+      };
+      if (!root.find(choice.section))
+        root.set(choice.section, placed(Value{}));
+      if (Value *table = root.find(choice.section); !table->find(choice.key))
+        table->set(choice.key, placed(choice.value));
+    }
+
+    std::optional<Accuracy> accuracy_named(const std::string &name)
+    {
+      for (const auto &[text, value] : words(Accuracy{}))
+        if (name == text)
+          return value;
+      return {};
+    }
+  } // namespace
+
+  std::array<int, 2> square_cells(const Point &size, const double spacing)
+  {
+    const int first = static_cast<int>(std::ceil(size[1] / spacing * (1. - 1e-9)));
+    for (int ny = std::max(1, first); ny <= std::max(2, 3 * first / 2); ++ny)
+    {
+      const double nx = size[0] * ny / size[1];
+      if (std::abs(nx - std::lround(nx)) <= 1e-9 * nx && nx >= 1.)
+        return {static_cast<int>(std::lround(nx)), ny};
+    }
+    return {0, 0};
+  }
+
+  void apply_preset(Value &root, Complaints &complaints)
+  {
+    const Value *written = root.find("accuracy");
+    const auto accuracy = written ? accuracy_named(written->text) : std::nullopt;
+    if (!accuracy)
+      return; // absent, or a word that the reader of the key refuses
+    const Value at = *written;
+    // What the scene is about is read once on trial; its mistakes are told when it is read in
+    // earnest.
+    Complaints silent;
+    Draft trial{{}, root, {}, {}, {}, {}, {}, {}};
+    build(trial, silent);
+    const Value *domain = root.find("domain");
+    if (domain && !domain->find("cells") &&
+        cells_of_domain(trial.scene, level_of(*accuracy))[0] == 0)
+      complaints.add(at,
+                     "nothing in this scene says how fine its mesh should be, or no square cells "
+                     "of that size divide the domain's width and height",
+                     "", "give [domain] cells");
+    for (const Choice &choice : choices_of(trial.scene, level_of(*accuracy)))
+      write(choice, root, at);
+  }
+
+  std::string describe_preset(const Scene &scene)
+  {
+    const auto accuracy = accuracy_named(scene.accuracy);
+    if (!accuracy)
+      return "";
+    std::string out = "  accuracy = " + scene.accuracy + ":\n";
+    for (const Choice &choice : choices_of(scene, level_of(*accuracy)))
+    {
+      const std::string value =
+          choice.value.kind == Value::Kind::text ? choice.value.text : inline_text(choice.value);
+      out += "    " + choice.section + "." + choice.key + " = " + choice.in_scene;
+      out +=
+          choice.in_scene == value ? "\n" : " (the scene's own; the preset says " + value + ")\n";
+    }
+    return out;
+  }
+} // namespace scene

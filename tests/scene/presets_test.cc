@@ -1,0 +1,104 @@
+// accuracy = "...": what a preset writes, and what it leaves alone.
+#include "scene/presets.h"
+
+#include "scene_file.h"
+
+using namespace scene_test;
+using scene::read_scene;
+
+namespace
+{
+  const std::string bar_without_knobs =
+      with(with(bar, "cells = [50, 24]\n", ""), "[mpm]\nmach = 2e-3\n", "");
+  const std::string seed_without_cells = with(seed, "cells = [100, 100]\n", "");
+
+  scene::Scene read(const std::string &text, const std::string &accuracy)
+  {
+    const Folder folder;
+    return read_scene(folder.write("a.toml", "accuracy = \"" + accuracy + "\"\n" + text));
+  }
+} // namespace
+
+TEST(Preset, ResolvesTheThinnestBodyFinerAndFiner)
+{
+  int last = 0;
+  for (const char *accuracy : {"draft", "standard", "fine"})
+  {
+    const scene::Scene s = read(bar_without_knobs, accuracy);
+    EXPECT_NEAR(s.domain.spacing()[0], s.domain.spacing()[1], 1e-12) << accuracy;
+    EXPECT_GT(s.domain.cells[0], last) << accuracy;
+    last = s.domain.cells[0];
+    EXPECT_TRUE(s.mpm->mach) << "driven by supports alone: the density may be scaled";
+    EXPECT_GT(s.fe->cells[0], 0);
+  }
+}
+
+TEST(Preset, ResolvesTheInterfaceWhereACrystalGrows)
+{
+  EXPECT_LE(read(seed_without_cells, "draft").domain.spacing()[0], 0.8 + 1e-12);
+  EXPECT_LE(read(seed_without_cells, "fine").domain.spacing()[0], 0.4 + 1e-12);
+}
+
+TEST(Preset, LeavesWrittenKeysAlone)
+{
+  const scene::Scene s = read(bar, "draft");
+  EXPECT_EQ(s.domain.cells[0], 50);
+  EXPECT_EQ(*s.mpm->mach, 2e-3);
+  const std::string said = scene::describe_preset(s);
+  EXPECT_NE(said.find("mpm.mach = 0.002 (the scene's own; the preset says"), std::string::npos)
+      << said;
+}
+
+TEST(Preset, AddsNoModule)
+{
+  const scene::Scene s = read(seed_without_cells, "fine");
+  EXPECT_FALSE(s.mpm);
+  EXPECT_FALSE(s.fe);
+  EXPECT_FALSE(s.advection);
+}
+
+TEST(Preset, NeverScalesTheDensityOfWhatIsThrown)
+{
+  const std::string thrown =
+      with(bar_without_knobs, "size = [1.0, 2.0]\n", "size = [1.0, 2.0]\nvelocity = [\"1\", \"0\"]\n");
+  EXPECT_FALSE(read(thrown, "draft").mpm->mach);
+}
+
+TEST(Preset, IsPartOfWhatIsAsked)
+{
+  EXPECT_NE(read(seed_without_cells, "draft").hash, read(seed_without_cells, "fine").hash);
+  EXPECT_NE(read(seed_without_cells, "draft").text.find("precision"), std::string::npos);
+}
+
+TEST(Preset, SaysWhereNoMeshCanBeChosen)
+{
+  const Folder folder;
+  const std::string odd = with(seed_without_cells, "size = [40.0, 40.0]", "size = [40.0, 39.97]");
+  const std::string said = complaints(folder.write("a.toml", "accuracy = \"draft\"\n" + odd));
+  EXPECT_NE(said.find("give [domain] cells"), std::string::npos) << said;
+}
+
+TEST(Preset, WithoutAccuracyChangesNothing)
+{
+  const Folder folder;
+  const scene::Scene s = read_scene(folder.write("a.toml", bar));
+  EXPECT_EQ(scene::describe_preset(s), "");
+  EXPECT_NE(complaints(folder.write("b.toml", bar_without_knobs)).find("cells"), std::string::npos);
+}
+
+TEST(Override, TakesAKeyAway)
+{
+  const Folder folder;
+  const std::string path = folder.write("bar.toml", bar);
+  EXPECT_FALSE(read_scene(path, {"mpm.mach="}).mpm->mach);
+  EXPECT_NE(complaints(path, {"domain.cells="}).find("cells"), std::string::npos);
+  EXPECT_NE(complaints(path, {"mpm.mahc="}).find("no key mpm.mahc"), std::string::npos);
+  EXPECT_GT(read_scene(path, {"domain.cells=", "accuracy=fine"}).domain.cells[0], 50);
+}
+
+TEST(SquareCells, DivideBothSides)
+{
+  EXPECT_EQ(scene::square_cells({5.0, 2.4}, 0.1), (std::array<int, 2>{50, 24}));
+  EXPECT_EQ(scene::square_cells({6.0, 9.0}, 0.2), (std::array<int, 2>{30, 45}));
+  EXPECT_EQ(scene::square_cells({1.0, 1.0001}, 0.1), (std::array<int, 2>{0, 0}));
+}
