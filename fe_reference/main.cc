@@ -28,7 +28,7 @@ namespace
     scene::Scene scene = scene::read_scene(command.scene, command.overrides);
     record::resolve_outlines(scene);
     if (command.plan)
-      return fe::show_plan(scene);
+      return fe::show_plan(scene, command.threads);
     std::signal(SIGINT, ask_to_stop);
     std::signal(SIGTERM, ask_to_stop);
     return fe::run(scene, command, [] { return stop_asked != 0; });

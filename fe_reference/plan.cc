@@ -1,11 +1,37 @@
 #include "plan.h"
 
+#include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <sstream>
 
+#include "load_stepping.h"
+#include "record/provenance.h"
+
 namespace fe
 {
+  namespace
+  {
+    /// Increments from 0 to the end where none passes a sampling time.
+    int increments(const double end, const int load_steps,
+                   const std::vector<double> &sampling_times)
+    {
+      const double nominal = end / load_steps;
+      std::vector<double> stops = sampling_times;
+      stops.push_back(end);
+      std::sort(stops.begin(), stops.end());
+      int count = 0;
+      double time = 0.;
+      for (const double stop : stops)
+        if (stop > time + 1e-9 * nominal && stop <= end * (1. + 1e-9))
+        {
+          count += static_cast<int>(std::ceil((stop - time) / nominal * (1. - 1e-6)));
+          time = stop;
+        }
+      return count;
+    }
+  } // namespace
+
   Plan make_plan(const QuadMesh &mesh, const scene::Scene &scene)
   {
     const scene::Fe settings = scene.fe.value_or(scene::Fe{});
@@ -32,10 +58,35 @@ namespace fe
     return plan;
   }
 
+  void time_first_steps(Plan &plan, const Problem &problem, const scene::Scene &scene,
+                        const std::vector<double> &sampling_times)
+  {
+    // Yielding takes more corrections than the elastic steps in which every load begins.
+    constexpr double iterations_when_yielding = 5.;
+    constexpr double budget_s = 1.;
+    LinearSystem system(problem.mesh);
+    const double begin = record::cpu_seconds();
+    Course course;
+    course.load_steps = 2;
+    course.end = 2. * scene.clock.end / plan.load_steps;
+    course.observe = [](const Step &) {};
+    course.interrupted = [&] { return record::cpu_seconds() - begin > budget_s; };
+    const Outcome outcome = follow(problem, system, initial_state(problem, scene), course);
+    const double spent = record::cpu_seconds() - begin;
+    const double iterations = std::max(1, outcome.pace.iterations);
+    const double steps = std::max(1, outcome.pace.steps);
+    plan.load_steps = increments(scene.clock.end, plan.load_steps, sampling_times);
+    const double each = scene.solid->yield_stress
+                            ? std::max(iterations_when_yielding, iterations / steps)
+                            : iterations / steps;
+    plan.seconds = begin + plan.load_steps * each * spent / iterations;
+    plan.resident_bytes = record::peak_rss_bytes();
+  }
+
   std::string describe(const Plan &plan)
   {
     std::ostringstream text;
-    text << std::setprecision(3) << "  cells               " << plan.cells
+    text << std::setprecision(4) << "  cells               " << plan.cells
          << "\n  unknowns            " << plan.unknowns << "\n  integration points  "
          << plan.integration_points << "\n  load steps          " << plan.load_steps
          << " (at least; more where Newton needs smaller ones or probes look in between)"
@@ -43,7 +94,9 @@ namespace fe
          << (plan.factor_bytes + plan.state_bytes + plan.tangent_bytes) / 1e6 << " MB (factors "
          << plan.factor_bytes / 1e6 << ", tangent " << plan.tangent_bytes / 1e6 << ", state "
          << plan.state_bytes / 1e6 << ")\n  estimated time      " << plan.seconds
-         << " s on one core\n";
+         << " s of CPU\nforecast cpu_s=" << plan.seconds
+         << " solver_bytes=" << plan.factor_bytes + plan.state_bytes + plan.tangent_bytes
+         << " resident_bytes=" << plan.resident_bytes << "\n";
     return text.str();
   }
 } // namespace fe

@@ -146,10 +146,13 @@ namespace fe
     }
   } // namespace
 
-  int show_plan(const scene::Scene &scene)
+  int show_plan(const scene::Scene &scene, const int threads)
   {
     refuse_active_sections(scene);
-    const Plan plan = make_plan(make_mesh(scene), scene);
+    const QuadMesh mesh = make_mesh(scene);
+    Plan plan = make_plan(mesh, scene);
+    const Problem problem = make_problem(scene, mesh, threads);
+    time_first_steps(plan, problem, scene, Observer(scene, problem, nullptr).times());
     if (process_number() == 0)
       std::cout << banner(scene) << describe(plan);
     return record::all_right;

@@ -9,7 +9,7 @@
 namespace fe
 {
   /// Print what a run would take and stop.
-  int show_plan(const scene::Scene &);
+  int show_plan(const scene::Scene &, int threads);
 
   /// Returns the exit code: all_right, numerical_trouble (the last good state is in the record) or
   /// interrupted (a checkpoint is beside the unfinished record). `stop_asked`: by a signal to this

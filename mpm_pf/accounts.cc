@@ -31,7 +31,10 @@ std::map<std::string, double> memory(const World &world)
 
 std::vector<record::Profile::Part> parts(const World &world)
 {
-  return world.solid ? solid::profile(*world.solid) : std::vector<record::Profile::Part>{};
+  auto all = world.solid ? solid::profile(*world.solid) : std::vector<record::Profile::Part>{};
+  for (const auto &[module, part] : world.spent)
+    all.push_back(part);
+  return all;
 }
 
 std::map<std::string, double> numbers(const World &world)
@@ -52,31 +55,4 @@ std::map<std::string, double> numbers(const World &world)
   }
   all["coupling_steps"] = static_cast<double>(world.steps);
   return all;
-}
-
-std::map<std::string, double> predict(const World &world)
-{
-  std::map<std::string, double> counts;
-  double cpu = 0.;
-  const double end = world.scene->clock.end;
-  if (world.solid)
-  {
-    const double steps = end / solid::stable_step(*world.solid);
-    const double points = static_cast<double>(solid::points(*world.solid));
-    constexpr double seconds_per_point_step = 6e-8; // measured: benchmarks/kernels
-    counts["points"] = points;
-    counts["cells"] = static_cast<double>(solid::cells(*world.solid));
-    counts["steps"] = steps;
-    cpu += steps * points * seconds_per_point_step;
-  }
-  if (world.growth)
-  {
-    const double steps = end / growth_step(world);
-    constexpr double seconds_per_node_step = 1e-9; // with tiles; measured: benchmarks/kernels
-    counts["growth steps"] = steps;
-    counts["nodes"] = static_cast<double>(world.mesh->node_count());
-    cpu += steps * counts["nodes"] * seconds_per_node_step;
-  }
-  counts["cpu_s"] = cpu;
-  return counts;
 }

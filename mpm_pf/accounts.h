@@ -1,4 +1,5 @@
-// What a world costs, held and spent, by module: for the plan before a run and the record after it.
+// What a world costs, held and spent, by module: for the forecast before a run and the record after
+// it.
 #pragma once
 
 #include <map>
@@ -17,6 +18,3 @@ std::vector<record::Profile::Part> parts(const World &);
 
 /// Numbers worth keeping: points, cells, steps, density in use, ...; only of the present modules.
 std::map<std::string, double> numbers(const World &);
-
-/// Counts before the run: "points", "cells", "steps", "cpu_s"; only of the present modules.
-std::map<std::string, double> predict(const World &);

@@ -5,6 +5,7 @@
 
 #include "solid/growing.h"
 #include "solid/moving_walls.h"
+#include "stopwatch.h"
 
 namespace
 {
@@ -90,6 +91,20 @@ bool coupled(const World &w)
   return w.extension != nullptr;
 }
 
+void move_walls(World &w, const double dt)
+{
+  const Stopwatch watch(w, "walls");
+  medium::watch(*w.walls, w.phase->value, *w.mesh, w.time);
+  medium::move(*w.walls, w.time, dt, *w.mesh); // Sec. 3, cut cells [28,29]
+}
+
+void impose(World &w, const double dt)
+{
+  const Stopwatch watch(w, "imposed motion");
+  w.imposed->write(w.time + dt / 2, *w.mesh, *w.velocity);
+  w.melt_moves = w.imposed->crossing_rate() > 0.;
+}
+
 void move_solid(World &w, const double dt)
 {
   if (grows_its_points(w) && !solid::active(*w.solid))
@@ -98,6 +113,7 @@ void move_solid(World &w, const double dt)
       return;
     solid::activate(*w.solid, crystal(w), w.time);
   }
+  const Stopwatch watch(w, "solid and its extension");
   if (w.walls)
     solid::follow_walls(*w.solid, motions(*w.walls), dt);
   solid::NodalVelocity mean;
@@ -113,6 +129,7 @@ void move_solid(World &w, const double dt)
 
 void carry(World &w, const double dt)
 {
+  const Stopwatch watch(w, "advection");
   if (w.phase)
     w.advection->advect(w.phase->value, w.phase->gradients, *w.velocity, dt); // Eq. (1)
   if (w.heat)
@@ -132,6 +149,7 @@ void carry(World &w, const double dt)
 
 void grow(World &w, const double dt)
 {
+  const Stopwatch watch(w, w.scene->growth ? "growth" : "heat");
   if (w.walls)
     settle(w);
   if (grows_its_points(w))

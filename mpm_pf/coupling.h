@@ -7,6 +7,12 @@
 /// Whether the world has a solid that moves something of the melt's.
 bool coupled(const World &);
 
+/// Start the walls that a tip has come near to, and move all that have started by dt.
+void move_walls(World &, double dt);
+
+/// The velocity of an imposed motion, at the middle of dt, to every node.
+void impose(World &, double dt);
+
 /// Advance the solid by dt (Eqs. (4)-(6)) and give every node of the mesh its velocity: the mean
 /// over dt (free of elastic ringing) where there is material, its zero-gradient extension elsewhere
 /// [13]-[15]. A solid that nothing has touched yet has no points and no velocity.

@@ -1,12 +1,10 @@
 #include "plan.h"
 
-#include <cmath>
-#include <iomanip>
 #include <sstream>
 #include <vector>
 
-#include "accounts.h"
-#include "world.h"
+#include "forecast.h"
+#include "scene/presets.h"
 
 namespace
 {
@@ -48,6 +46,7 @@ std::string banner(const scene::Scene &scene)
     else
       off += (off.empty() ? "" : ", ") + module.name;
   out << "\n  off: " << off << '\n';
+  out << scene::describe_preset(scene);
   if (scene.fe)
     out << "  [fe] is read by fe_reference only\n";
   return out.str();
@@ -55,18 +54,9 @@ std::string banner(const scene::Scene &scene)
 
 std::string plan(const scene::Scene &scene, const int threads)
 {
-  const World world = build_world(scene, threads);
   std::ostringstream out;
   out << banner(scene) << "  domain: " << scene.domain.cells[0] << " x " << scene.domain.cells[1]
-      << " cells\n";
-  for (const auto &[name, value] : predict(world))
-    out << "  " << name << ": " << std::setprecision(4) << value << '\n';
-  double total = 0.;
-  for (const auto &[what, bytes] : memory(world))
-  {
-    out << "  memory, " << what << ": " << std::setprecision(4) << bytes / 1e6 << " MB\n";
-    total += bytes;
-  }
-  out << "  memory, all modules: " << total / 1e6 << " MB\n";
+      << " cells\n"
+      << describe(foretell(scene, threads));
   return out.str();
 }

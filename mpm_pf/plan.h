@@ -8,6 +8,6 @@
 /// Which modules are on and from which line, which are off; a few lines, printed at every start.
 std::string banner(const scene::Scene &);
 
-/// The banner and cells, points, steps, memory by module and an estimated time. Builds the world to
-/// count, moves nothing. Throws scene::BadScene.
+/// The banner and the forecast (forecast.h): cells, points, steps, memory and time by module.
+/// Writes nothing. Throws scene::BadScene.
 std::string plan(const scene::Scene &, int threads);

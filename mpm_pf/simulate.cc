@@ -8,15 +8,9 @@ void step(World &w, const double dt)
 {
   w.melt_moves = false;
   if (w.walls)
-  {
-    medium::watch(*w.walls, w.phase->value, *w.mesh, w.time);
-    medium::move(*w.walls, w.time, dt, *w.mesh); // Sec. 3, cut cells [28,29]
-  }
+    move_walls(w, dt); // Sec. 3, cut cells [28,29]
   if (w.imposed)
-  {
-    w.imposed->write(w.time + dt / 2, *w.mesh, *w.velocity); // Sec. 2.3.2, instead of a solid
-    w.melt_moves = w.imposed->crossing_rate() > 0.;
-  }
+    impose(w, dt); // Sec. 2.3.2, instead of a solid
   if (w.solid && coupled(w))
     move_solid(w, dt); // Eqs. (4)-(6), and the extension of v into the melt [13]-[15]
   else if (w.solid)

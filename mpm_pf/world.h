@@ -47,6 +47,8 @@ struct World
   std::unique_ptr<medium::Advection> advection;
   bool melt_moves = false; // in the present step
   solid::Owner solid;      // [solid]
+
+  std::map<std::string, record::Profile::Part> spent; // by module that was called, see stopwatch.h
 };
 
 /// Everything that `scene` asks for, at time 0. The scene must outlive the world. `force` accepts

@@ -15,6 +15,7 @@ except ImportError as error:
     sys.exit(f"report: the Python module {error.name} is missing; install python3-jinja2 (Debian) for {sys.executable}")
 
 import report_extremes
+import report_modules
 import report_trade
 from svgplot import Plot
 
@@ -125,6 +126,7 @@ def write(folder):
         images=images(folder),
         trades=report_trade.pages(folder),
         extremes=report_extremes.pages(folder),
+        modules=report_modules.page(campaign),
     )
     target = folder / "index.html"
     target.with_suffix(".part").write_text(page)

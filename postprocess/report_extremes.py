@@ -2,10 +2,16 @@
 
 Each map is a grid of cells coloured by class; the title of a cell says why and holds the command that repeats it. Black bars: the edge of
 stability found by bisection; hollow bars: the theoretical limit.
+
+    postprocess/report_extremes.py RESULTS_DIR CASE N FILE.svg      the N-th map of the case (from 1), by itself
 """
 
 import json
+import sys
 from html import escape
+from pathlib import Path
+
+from svgplot import standalone
 
 CLASSES = {
     "accurate": "#2e8b57",
@@ -103,3 +109,10 @@ def pages(folder):
     found = sorted((folder / "stability").glob("*.json")) if (folder / "stability").is_dir() else []
     maps = [json.loads(path.read_text()) for path in found]
     return [dict(case=entry["case"], html=page(entry)) for entry in maps]
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 5:
+        sys.exit("usage: report_extremes.py RESULTS_DIR CASE N FILE.svg")
+    made = json.loads((Path(sys.argv[1]) / "stability" / f"{sys.argv[2]}.json").read_text())
+    Path(sys.argv[4]).write_text(standalone(picture(made["maps"][int(sys.argv[3]) - 1])))

@@ -2,12 +2,16 @@
 
 One plot per quantity and norm, chosen with a menu: error against CPU seconds, one colour per family, what is dominated pale, the Pareto
 front of each solver dashed; runs that diverged or ran out of time stand as crosses at the upper edge, at the cost they had.
+
+    postprocess/report_trade.py RESULTS_DIR CASE FILE.svg      the figure of the case's first measure, by itself
 """
 
 import json
+import sys
 from html import escape
+from pathlib import Path
 
-from svgplot import COLOURS, Plot
+from svgplot import COLOURS, Plot, standalone
 
 
 def pareto_front(rows):
@@ -45,7 +49,7 @@ def fronts(rows, measure):
 def plot(trade, measure):
     """SVG of one measure ("quantity, norm")."""
     good = [row for row in trade["rows"] if row["errors"].get(measure)]
-    lost = [row for row in trade["rows"] if not row["errors"].get(measure)]
+    lost = [row for row in trade["rows"] if not row["errors"].get(measure) and row["status"] in ("diverged", "timed out", "failed")]
     picture = Plot("CPU seconds", f"error: {measure}", log_x=True, log_y=True, size=(860, 420), legend_width=230)
     best = fronts(good, measure)
     for solver, rows in best.items():
@@ -110,3 +114,10 @@ def pages(folder):
     found = sorted((folder / "tradeoff").glob("*.json")) if (folder / "tradeoff").is_dir() else []
     trades = [json.loads(path.read_text()) for path in found]
     return [dict(case=trade["case"], html=page(trade)) for trade in trades]
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 4:
+        sys.exit("usage: report_trade.py RESULTS_DIR CASE FILE.svg")
+    measured = json.loads((Path(sys.argv[1]) / "tradeoff" / f"{sys.argv[2]}.json").read_text())
+    Path(sys.argv[3]).write_text(standalone(plot(measured, measured["measures"][0])))

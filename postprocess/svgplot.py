@@ -184,3 +184,10 @@ class Plot:
             parts.append(f'<text x="{x + 23}" y="{y}" fill="currentColor">{escape(series["label"])}</text>')
             y += 14
         return parts
+
+
+def standalone(svg):
+    """An SVG element as a file of its own: named space, white paper, black ink."""
+    head, rest = svg.split(">", 1)
+    head = head.replace("<svg ", '<svg xmlns="http://www.w3.org/2000/svg" color="#1d2226" ', 1)
+    return f'{head}><rect width="100%" height="100%" fill="#ffffff"/>{rest}\n'

@@ -63,15 +63,21 @@ namespace verify
     std::string fragment(const Json &row)
     {
       std::map<std::string, std::string> sections;
+      std::string dropped;
       for (const std::string setting : row.at("set"))
       {
+        if (setting.back() == '=') // a key that was taken away
+        {
+          dropped += " " + setting.substr(0, setting.size() - 1);
+          continue;
+        }
         const auto equal = setting.find('='), dot = setting.rfind('.', equal);
         const std::string section = dot == std::string::npos ? "" : setting.substr(0, dot);
         const std::size_t key = dot == std::string::npos ? 0 : dot + 1;
         sections[section] +=
             setting.substr(key, equal - key) + " = " + setting.substr(equal + 1) + "\n";
       }
-      std::string text;
+      std::string text = dropped.empty() ? "" : "# without" + dropped + "\n";
       for (const auto &[section, lines] : sections)
         text += (section.empty() ? "" : "[" + section + "]\n") + lines;
       return text;

@@ -114,7 +114,7 @@ namespace verify
         }
         try
         {
-          cases.push_back({read_case(folder, options.suite), {}, {}, {}});
+          cases.push_back({read_case(folder, options.suite), {}, {}, {}, {}});
         }
         catch (const BadInput &error)
         {
@@ -126,6 +126,23 @@ namespace verify
       if (cases.empty())
         throw BadInput("no case takes part in suite " + options.suite);
       return cases;
+    }
+
+    /// Asks the solvers what the runs that came to an end should have cost.
+    void foretell(Campaign &campaign)
+    {
+      std::vector<Job> plans;
+      for (const auto &result : campaign.cases)
+        for (std::size_t i = 0; i < result.jobs.size(); ++i)
+          if (result.outcomes[i].status == "complete")
+            plans.push_back(forecast_job(result.jobs[i]));
+      if (!interrupted())
+        run_jobs(plans, {campaign.options.cores, campaign.options.fresh});
+      for (auto &result : campaign.cases)
+        for (std::size_t i = 0; i < result.jobs.size(); ++i)
+          result.forecasts.push_back(result.outcomes[i].status == "complete"
+                                         ? read_forecast(forecast_job(result.jobs[i]).command.log)
+                                         : std::nullopt);
     }
   } // namespace
 
@@ -198,6 +215,7 @@ namespace verify
       if (options.accept && !interrupted())
         accept(result.verdicts, result.c);
     }
+    foretell(campaign);
     campaign.wall_s = record::wall_seconds() - start;
     campaign.exit_code = interrupted() ? 130 : exit_code(campaign.cases);
     write_campaign(campaign, places);

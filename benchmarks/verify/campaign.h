@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "expect.h"
+#include "forecasts.h"
 #include "jobs.h"
 #include "judge.h"
 #include "places.h"
@@ -28,6 +29,7 @@ namespace verify
     std::vector<Job> jobs; // one per run
     std::vector<Outcome> outcomes;
     std::vector<Verdict> verdicts;
+    std::vector<std::optional<Forecast>> forecasts; // one per run; empty: none was made
   };
 
   struct Campaign

@@ -135,6 +135,14 @@ namespace verify
     return code == 0 ? 0 : 2;
   }
 
+  int presets(const Places &places, const std::string &folder, const std::string &readme)
+  {
+    std::vector<std::string> arguments{folder};
+    if (!readme.empty())
+      arguments.push_back(readme);
+    return run_python(places, "presets.py", arguments);
+  }
+
   int figures(const Places &places, const std::string &folder)
   {
     return run_python(places, "figures.py", {folder}) == 0 ? 0 : 2;

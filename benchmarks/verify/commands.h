@@ -17,5 +17,8 @@ namespace verify
   int advise(const Places &, const std::string &case_name, const std::string &quantity,
              const std::string &error, const std::string &output);
   int stability(const Places &, const CampaignOptions &);
+  /// Error and cost per preset and case, from what `tradeoff` measured: on stdout, or into `readme`
+  /// if it is not empty.
+  int presets(const Places &, const std::string &folder, const std::string &readme);
   int figures(const Places &, const std::string &folder);
 } // namespace verify

@@ -14,7 +14,7 @@ namespace
 
   struct Arguments
   {
-    std::string cases, solvers, name, other, suite, output, quantity, error;
+    std::string cases, solvers, name, other, suite, output, quantity, error, readme;
     CampaignOptions campaign;
   };
 
@@ -77,6 +77,14 @@ namespace
                        "where the trade was measured (default: results/full)");
   }
 
+  void add_presets(CLI::App &app, Arguments &a)
+  {
+    auto *presets = app.add_subcommand(
+        "presets", "error and cost per preset and case, from what tradeoff measured");
+    presets->add_option("--output", a.output, "where it was measured (default: results/full)");
+    presets->add_option("--readme", a.readme, "write the table between the marks of this file");
+  }
+
   int dispatch(CLI::App &app, Arguments &a, const std::string &program)
   {
     if (app.got_subcommand("diff"))
@@ -90,6 +98,8 @@ namespace
       return report(places, a.name);
     if (app.got_subcommand("figures"))
       return figures(places, a.output.empty() ? "results/full" : a.output);
+    if (app.got_subcommand("presets"))
+      return presets(places, a.output.empty() ? "results/full" : a.output, a.readme);
     if (app.got_subcommand("advise"))
       return advise(places, a.name, a.quantity, a.error,
                     a.output.empty() ? "results/full" : a.output);
@@ -122,6 +132,7 @@ int main(int argc, char **argv)
   add_run(app, arguments);
   add_others(app, arguments);
   add_trade(app, arguments);
+  add_presets(app, arguments);
   try
   {
     app.parse(argc, argv);

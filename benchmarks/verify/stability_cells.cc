@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <sstream>
 
 #include <fmt/format.h>
 
@@ -13,10 +14,23 @@ namespace verify
   namespace fs = std::filesystem;
   namespace
   {
+    std::string with_word(std::string setting, const std::string &mark, const std::string &word)
+    {
+      for (auto at = setting.find(mark); at != std::string::npos; at = setting.find(mark))
+        setting.replace(at, mark.size(), word);
+      return setting;
+    }
+
+    /// "{value}" becomes the value; of a list "{0}", "{1}", ... become its entries.
     std::string with_value(std::string setting, const std::string &value)
     {
-      for (auto at = setting.find("{value}"); at != std::string::npos; at = setting.find("{value}"))
-        setting.replace(at, 7, value);
+      setting = with_word(setting, "{value}", value);
+      if (value.size() < 2 || value.front() != '[')
+        return setting;
+      std::stringstream entries(value.substr(1, value.size() - 2));
+      int k = 0;
+      for (std::string entry; std::getline(entries, entry, ',');)
+        setting = with_word(setting, fmt::format("{{{}}}", k++), entry);
       return setting;
     }
 

@@ -101,7 +101,12 @@ namespace verify
         json["checks"].push_back(to_json(verdict, repeat));
       json["runs"] = Json::array();
       for (std::size_t i = 0; i < result.outcomes.size(); ++i)
-        json["runs"].push_back(run_to_json(result.c.runs[i], result.jobs[i], result.outcomes[i]));
+      {
+        Json run = run_to_json(result.c.runs[i], result.jobs[i], result.outcomes[i]);
+        if (i < result.forecasts.size())
+          add_forecast(result.forecasts[i], run);
+        json["runs"].push_back(run);
+      }
       std::vector<CaseResult> alone{result};
       json["exit_code"] = exit_code(alone);
       return json;
@@ -194,6 +199,27 @@ namespace verify
     fs::rename(path + ".part", path);
   }
 
+  namespace
+  {
+    /// How many forecasts were met, by what was foretold.
+    Json forecast_sums(const Json &cases)
+    {
+      Json sums;
+      for (const char *what : {"time", "memory", "resident"})
+      {
+        sums[what] = {{"met", 0}, {"missed", 0}, {"not measured", 0}};
+        for (const auto &one : cases)
+          for (const auto &run : one["runs"])
+            if (run.contains("forecast"))
+            {
+              auto &count = sums[what][run["forecast"][what].get<std::string>()];
+              count = count.get<int>() + 1;
+            }
+      }
+      return sums;
+    }
+  } // namespace
+
   void write_campaign(const Campaign &campaign, const Places &places)
   {
     const std::string &output = campaign.options.output;
@@ -215,6 +241,7 @@ namespace verify
       write_text(output + "/" + result.c.name + "/curves.json", curves.dump() + "\n");
       json["cases"].push_back(verdict);
     }
+    json["forecasts"] = forecast_sums(json["cases"]);
     write_text(output + "/campaign.json",
                json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
     write_text(output + "/junit.xml", junit(campaign, places));

@@ -7,6 +7,7 @@
 //   sleep             seconds of waiting;  burn: seconds of CPU time
 //   short             the history ends at this time instead of 1
 //   nan               1: the line probe holds an infinite value
+//   foretold          seconds that --plan foretells instead of what will be burnt
 //   growth            the energy grows by this factor per unit of time
 #include <chrono>
 #include <cmath>
@@ -26,8 +27,8 @@ namespace
 
   Settings settings_of(const record::CommandLine &command)
   {
-    Settings settings{{"error", 0.}, {"order", 2.}, {"h", 1.},   {"exit", 0.},  {"sleep", 0.},
-                      {"burn", 0.},  {"short", 1.}, {"nan", 0.}, {"growth", 0.}};
+    Settings settings{{"error", 0.}, {"order", 2.}, {"h", 1.},   {"exit", 0.},   {"sleep", 0.},
+                      {"burn", 0.},  {"short", 1.}, {"nan", 0.}, {"growth", 0.}, {"foretold", 0.}};
     for (const auto &text : command.overrides)
       if (const auto equal = text.find('='); text.rfind("fake.", 0) == 0)
         settings[text.substr(5, equal - 5)] = std::stod(text.substr(equal + 1));
@@ -85,6 +86,13 @@ int main(int argc, char **argv)
   }
   const auto &command = *parsed.command;
   const Settings s = settings_of(command);
+  if (command.plan)
+  {
+    std::printf("  on: everything (line 1)\n  off: nothing\n  memory, points: 0.5 MB\n"
+                "forecast cpu_s=%g solver_bytes=5e5 resident_bytes=2e7\n",
+                s.at("foretold") > 0. ? s.at("foretold") : 0.01 + s.at("burn"));
+    return 0;
+  }
   std::this_thread::sleep_for(std::chrono::duration<double>(s.at("sleep")));
   burn(s.at("burn"));
   if (s.at("exit") != 0.)
@@ -100,7 +108,7 @@ int main(int argc, char **argv)
                         command.force);
   write(writer, s);
   record::Profile profile;
-  profile.numbers = {{"steps", 100.}, {"cells", 16.}, {"points", 64.}};
+  profile.numbers = {{"steps", 100.}, {"cells", 16.}, {"points", 64.}, {"bytes points", 5e5}};
   writer.finish(profile);
   return 0;
 }

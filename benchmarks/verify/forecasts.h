@@ -1,0 +1,33 @@
+// What the solvers foretell of their own runs (`--plan`), and whether it came true: memory of the
+// solver within 10 %, resident memory within 10 % + 50 MB, CPU time within a factor 2 (3 where
+// finite elements choose their own steps or points are sown during the run).
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "jobs.h"
+
+namespace verify
+{
+  struct Forecast
+  {
+    double cpu_s = 0., solver_bytes = 0., resident_bytes = 0.;
+    std::map<std::string, double> bytes; // by module
+    std::string on, off;                 // modules, as the solver names them
+  };
+
+  /// The job that asks for the plan of a run.
+  Job forecast_job(const Job &run);
+
+  /// From the log of such a job; empty if the solver foretold nothing.
+  std::optional<Forecast> read_forecast(const std::string &log);
+
+  /// Adds `forecast` to a run as run_to_json wrote it: what was foretold, what was measured, and
+  /// for memory and time "met", "missed" or "not measured".
+  void add_forecast(const std::optional<Forecast> &, nlohmann::ordered_json &run);
+} // namespace verify

@@ -1,0 +1,168 @@
+#include "forecast_growth.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/geometry.h"
+
+namespace
+{
+  constexpr double pi = 3.14159265358979323846;
+
+  /// The crystal's arms along the four directions, in lengths of the scene.
+  struct Arms
+  {
+    double seed = 0.;                // radius it starts from
+    std::array<double, 4> room{};    // from its centre to the sides, by scene::Edge
+    std::array<double, 4> visible{}; // 1 if the arm lies in the domain, 0 if beyond a side
+    double speed = 0., gap = 0.;     // of the tips; in which they stop before a side
+    double reach(const std::size_t side, const double time) const
+    {
+      return visible[side] * std::min(seed + speed * time, std::max(seed, room[side] - gap));
+    }
+  };
+
+  Arms arms_of(const World &world)
+  {
+    const scene::Scene &scene = *world.scene;
+    const scene::Box body = scene::bounding_box(scene.bodies);
+    const scene::Point centre = 0.5 * (body.lower + body.upper);
+    Arms arms;
+    arms.seed = 0.5 * (body.upper - body.lower).maxCoeff();
+    arms.speed = tip_velocity(scene);
+    // Heat piles up before an adiabatic side over the boundary layer's length.
+    arms.gap = arms.speed > 0. && scene.heat ? 2. * scene.heat->diffusivity / arms.speed : 0.;
+    const scene::Point lower = scene.domain.lower, upper = scene.domain.upper();
+    arms.room = {centre[0] - lower[0], upper[0] - centre[0], centre[1] - lower[1],
+                 upper[1] - centre[1]};
+    for (std::size_t side = 0; side < 4; ++side)
+      arms.visible[side] = arms.room[side] > 0.25 * arms.seed ? 1. : 0.;
+    return arms;
+  }
+
+  /// Number of quarters of the crystal inside the domain.
+  double quarters(const Arms &arms)
+  {
+    return (arms.visible[0] + arms.visible[1]) * (arms.visible[2] + arms.visible[3]);
+  }
+
+  /// Length of phi = 0: each quarter has the sides of two half arms, wavy with a factor.
+  double interface_length(const Arms &arms, const double time)
+  {
+    constexpr double waviness = 1.2;
+    double length = 0.;
+    for (const std::size_t x : {0u, 1u})
+      for (const std::size_t y : {2u, 3u})
+        if (arms.visible[x] > 0. && arms.visible[y] > 0.)
+          length += waviness * (arms.reach(x, time) + arms.reach(y, time));
+    return length;
+  }
+
+  /// Part of the area between two arms that is solid; a disc has pi/4.
+  double solid_area(const Arms &arms, const double time)
+  {
+    double area = 0.;
+    for (const std::size_t x : {0u, 1u})
+      for (const std::size_t y : {2u, 3u})
+      {
+        const double a = arms.reach(x, time), b = arms.reach(y, time);
+        const double slimness =
+            std::max(0.35, pi / 4. * std::exp(-(std::min(a, b) - arms.seed) / (8. * arms.seed)));
+        area += slimness * a * b;
+      }
+    return area;
+  }
+
+  /// Area within the reach of the heat: theta counts as resting only where it is one constant to
+  /// the last bit, which diffusion's tail leaves behind at about 12 sqrt(D t).
+  double heated_area(const World &world, const Arms &arms, const double time)
+  {
+    const scene::Scene &scene = *world.scene;
+    const double bits = scene.growth->precision == scene::Precision::double_precision ? 12. : 8.;
+    const double tail = scene.heat ? bits * std::sqrt(scene.heat->diffusivity * time) : 0.;
+    double width = 0., height = 0.;
+    for (const std::size_t side : {0u, 1u})
+      width += std::min(std::max(0., arms.room[side]), arms.reach(side, time) + tail);
+    for (const std::size_t side : {2u, 3u})
+      height += std::min(std::max(0., arms.room[side]), arms.reach(side, time) + tail);
+    return width * height;
+  }
+
+  void let_walls_end(const World &world, const Arms &arms, GrowthLoad &load)
+  {
+    for (const scene::Wall &wall : world.scene->walls)
+    {
+      if (wall.speed <= 0.)
+        continue;
+      const double room = arms.room[static_cast<std::size_t>(wall.side)];
+      const double start = wall.start_time ? *wall.start_time
+                           : arms.speed > 0.
+                               ? std::max(0., (room - wall.start_distance - arms.seed) / arms.speed)
+                               : load.end;
+      // The tip goes on while the wall comes, at half its speed in the mean.
+      const double gap = wall.start_time ? std::max(0., room - arms.seed - arms.speed * start)
+                                         : wall.start_distance;
+      const double meet = start + 0.5 * wall.ramp + gap / (wall.speed + 0.5 * arms.speed);
+      load.pressed_from = std::min(load.pressed_from, meet);
+      load.end = std::min(load.end, start + 0.5 * wall.ramp + wall.travel / wall.speed);
+    }
+    load.pressed_from = std::min(load.pressed_from, load.end);
+  }
+} // namespace
+
+double peclet_number(const double undercooling)
+{
+  if (undercooling <= 0.)
+    return 0.;
+  double low = 0., high = 1e3;
+  for (int k = 0; k < 100; ++k)
+  {
+    const double pe = 0.5 * (low + high);
+    const double supplied =
+        pe > 500. ? 1. : std::sqrt(pi * pe) * std::exp(pe) * std::erfc(std::sqrt(pe));
+    (supplied < undercooling ? low : high) = pe;
+  }
+  return 0.5 * (low + high);
+}
+
+double tip_velocity(const scene::Scene &scene)
+{
+  if (!scene.growth || !scene.heat || scene.heat->undercooling <= 0.)
+    return 0.;
+  const double pe = peclet_number(std::min(0.95, scene.heat->undercooling));
+  const double sigma = 2.2 * std::pow(std::max(scene.growth->anisotropy, 0.005), 0.95);
+  return 2. * sigma * pe * pe * scene.heat->diffusivity / scene.growth->capillary_length;
+}
+
+GrowthLoad growth_load(const World &world)
+{
+  const scene::Scene &scene = *world.scene;
+  const Arms arms = arms_of(world);
+  GrowthLoad load;
+  load.end = load.pressed_from = scene.clock.end;
+  let_walls_end(world, arms, load);
+  load.solid_area = solid_area(arms, load.pressed_from);
+
+  // A tile works on both equations where the interface runs through it or a neighbour: the strip of
+  // active tiles is about three tiles wide, of which the mean width is that of 32 x 8 nodes met at
+  // any angle.
+  constexpr double strip = 46.;
+  const double cell = world.mesh->spacing[0];
+  const double nodes = static_cast<double>(world.mesh->node_count());
+  constexpr int samples = 40;
+  for (int k = 0; k < samples; ++k)
+  {
+    const double time = (k + 0.5) / samples * load.end;
+    const double active = scene.growth->tiles
+                              ? std::min(nodes, strip * interface_length(arms, time) / cell +
+                                                    quarters(arms) * 0.25 * strip * strip)
+                              : nodes;
+    const double heated =
+        scene.growth->tiles && !world.noise
+            ? std::min(nodes, heated_area(world, arms, time) / (cell * world.mesh->spacing[1]))
+            : nodes;
+    load.active_nodes += active / samples;
+    load.heated_nodes += std::max(0., heated - active) / samples;
+  }
+  return load;
+}

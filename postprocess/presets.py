@@ -1,0 +1,80 @@
+#!/usr/bin/python3
+"""The table of presets, error and cost per preset and case, from DIR/tradeoff/*.json: printed, or written between the marks of a text file.
+
+    postprocess/presets.py RESULTS_DIR [README]
+
+The marks are lines `<!-- presets: begin -->` and `<!-- presets: end -->`; what stands between them is replaced. The rows are those that were
+measured with `accuracy = ...`: nothing is computed here that was not run.
+"""
+
+import json
+import re
+import sys
+from pathlib import Path
+
+LEVELS = ["draft", "standard", "fine"]
+BEGIN, END = "<!-- presets: begin -->", "<!-- presets: end -->"
+
+
+def level(row):
+    """The preset of a row, or nothing."""
+    word = row["settings"].get("accuracy", "").strip("\"'")
+    return word if word in LEVELS else None
+
+
+def cell(row, measure):
+    if row is None:
+        return "–"
+    error = row["errors"].get(measure)
+    text = row["status"] if error is None else f"{100 * error:.2g} %" if error < 0.995 else f"{100 * error:.0f} %"
+    return f'{text}, {row["cpu_s"]:.2g} s, {row["peak_rss_bytes"] / 1e6:.0f} MB'
+
+
+def measure_of(trade):
+    """The first measure is what the case is about."""
+    return trade["measures"][0]
+
+
+def lines(trades):
+    yield "| case | error of | solver | " + " | ".join(f'`"{name}"`' for name in LEVELS) + " |"
+    yield "|---|---|---|" + "---|" * len(LEVELS)
+    for trade in trades:
+        measure = measure_of(trade)
+        rows = [row for row in trade["rows"] if level(row)]
+        for solver in dict.fromkeys(row["solver"] for row in rows):
+            found = {level(row): row for row in rows if row["solver"] == solver}
+            yield f'| {trade["case"]} | {measure} | {solver} | ' + " | ".join(cell(found.get(name), measure) for name in LEVELS) + " |"
+
+
+def table(folder):
+    trades = [json.loads(path.read_text()) for path in sorted((folder / "tradeoff").glob("*.json"))]
+    trades = [trade for trade in trades if any(level(row) for row in trade["rows"])]
+    return "\n".join(lines(trades)) + "\n" if trades else ""
+
+
+def write_between_marks(path, text):
+    """Replaces what stands between the marks of the file."""
+    old = path.read_text()
+    if BEGIN not in old or END not in old:
+        sys.exit(f"presets: {path} has no lines {BEGIN} and {END}")
+    new = re.sub(re.escape(BEGIN) + ".*?" + re.escape(END), lambda _: f"{BEGIN}\n{text}{END}", old, count=1, flags=re.S)
+    path.write_text(new)
+
+
+def main(arguments):
+    if len(arguments) not in (1, 2):
+        print(__doc__)
+        return 2
+    text = table(Path(arguments[0]))
+    if not text:
+        print(f"presets: {arguments[0]}/tradeoff holds no row that was measured with `accuracy`; run `verify tradeoff CASE` first", file=sys.stderr)
+        return 4
+    if len(arguments) == 2:
+        write_between_marks(Path(arguments[1]), text)
+    else:
+        print(text, end="")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

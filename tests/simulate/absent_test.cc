@@ -1,0 +1,154 @@
+// What a scene does not name costs nothing: no bytes, no calls, no columns, no step limit.
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "accounts.h"
+#include "forecast.h"
+#include "forecast_growth.h"
+#include "melt_history.h"
+#include "scene/reader.h"
+#include "simulate.h"
+
+namespace
+{
+  const std::string head = "title = \"t\"\n[domain]\nsize = [16.0, 16.0]\ncells = [32, 32]\n"
+                           "[[body]]\nshape = \"rectangle\"\ncorner = [4.0, 4.0]\n"
+                           "size = [8.0, 8.0]\n[clock]\nend = 1.0\n";
+  const std::string block = "[solid]\nyoung_modulus = 100.0\npoisson_ratio = 0.3\ndensity = 1.0\n";
+  const std::string growth = "[phase_field]\nwidth = 1.0\n[growth]\nanisotropy = 0.05\n"
+                             "capillary_length = 0.185\n[heat]\ndiffusivity = 3.0\n"
+                             "undercooling = 0.55\n";
+  const std::string marker = "[phase_field]\nwidth = 1.0\n";
+
+  /// A scene of that text, and its world after three steps.
+  struct Moved
+  {
+    scene::Scene scene;
+    World world;
+    explicit Moved(const std::string &text) : scene(read(text)), world(build_world(scene, 1))
+    {
+      for (int k = 0; k < 3; ++k)
+        step(world, std::min(coupling_step(world), 0.05));
+    }
+    static scene::Scene read(const std::string &text)
+    {
+      static int number = 0;
+      const auto path =
+          std::filesystem::temp_directory_path() /
+          ("absent_" + std::to_string(getpid()) + "_" + std::to_string(number++) + ".toml");
+      std::ofstream(path) << text;
+      scene::Scene scene = scene::read_scene(path.string(), {});
+      std::filesystem::remove(path);
+      return scene;
+    }
+
+    /// Bytes of the parts whose names begin with `module`.
+    double bytes(const std::string &module) const
+    {
+      double sum = 0.;
+      for (const auto &[name, value] : memory(world))
+        if (name.rfind(module, 0) == 0)
+          sum += value;
+      return sum;
+    }
+    long calls(const std::string &module) const
+    {
+      long sum = 0;
+      for (const auto &part : parts(world))
+        if (part.name.rfind(module, 0) == 0)
+          sum += part.calls;
+      return sum;
+    }
+    bool has_column(const std::string &name) const
+    {
+      const auto names = melt_history(world).names;
+      return std::find(names.begin(), names.end(), name) != names.end();
+    }
+  };
+} // namespace
+
+TEST(Absent, MeltCostsASolidNothing)
+{
+  const Moved it(head + block);
+  for (const char *module :
+       {"phase field", "heat", "orientation", "growth", "velocity", "advection"})
+    EXPECT_EQ(it.bytes(module), 0.) << module;
+  for (const char *module : {"growth", "heat", "advection", "walls", "imposed motion"})
+    EXPECT_EQ(it.calls(module), 0) << module;
+  EXPECT_TRUE(melt_history(it.world).names.empty());
+  EXPECT_EQ(numbers(it.world).count("growth_step"), 0u);
+  EXPECT_FALSE(it.world.mesh);
+  // and what is there, is counted
+  EXPECT_GT(it.bytes("solid points"), 0.);
+  EXPECT_GT(it.calls("points to nodes"), 0);
+}
+
+TEST(Absent, SolidAndMotionCostACrystalNothing)
+{
+  const Moved it(head + growth);
+  for (const char *module : {"solid", "velocity", "advection", "orientation"})
+    EXPECT_EQ(it.bytes(module), 0.) << module;
+  for (const char *module :
+       {"points", "nodes", "sorting", "solid", "advection", "walls", "imposed"})
+    EXPECT_EQ(it.calls(module), 0) << module;
+  // no gradients beside phi and theta where nothing moves: one field each
+  const auto field = static_cast<double>(it.world.phase->value.bytes());
+  EXPECT_EQ(it.bytes("phase field"), field);
+  EXPECT_EQ(it.bytes("heat"), field);
+  EXPECT_EQ(numbers(it.world).count("points"), 0u);
+  EXPECT_GT(it.calls("growth"), 0);
+  EXPECT_GT(it.bytes("growth"), 0.);
+}
+
+TEST(Absent, HeatCostsAMarkerNothing)
+{
+  const Moved it(head + marker + "[imposed]\nvelocity = [\"0.1\", \"0\"]\n");
+  for (const char *module : {"heat", "growth", "solid", "orientation"})
+    EXPECT_EQ(it.bytes(module), 0.) << module;
+  for (const char *module : {"growth", "heat", "walls", "points"})
+    EXPECT_EQ(it.calls(module), 0) << module;
+  EXPECT_FALSE(it.has_column("theta_mean"));
+  EXPECT_FALSE(it.has_column("active_tiles"));
+  EXPECT_TRUE(it.has_column("solid_area"));
+  EXPECT_EQ(it.calls("advection"), 3);
+  EXPECT_EQ(it.calls("imposed motion"), 3);
+}
+
+TEST(Absent, PhaseCostsHeatAloneNothing)
+{
+  const Moved it("title = \"t\"\n[domain]\nsize = [16.0, 16.0]\ncells = [32, 32]\n[heat]\n"
+                 "diffusivity = 1.0\nundercooling = 0.0\n[clock]\nend = 1.0\n");
+  for (const char *module : {"phase field", "solid", "orientation", "velocity", "advection"})
+    EXPECT_EQ(it.bytes(module), 0.) << module;
+  EXPECT_EQ(it.calls("growth"), 0);
+  EXPECT_EQ(it.calls("heat"), 3);
+  EXPECT_FALSE(it.has_column("solid_area"));
+}
+
+TEST(Forecast, CountsTheBytesThatTheRunWillHold)
+{
+  for (const std::string &text :
+       {head + block, head + growth, head + marker + "[imposed]\nvelocity = [\"0.1\", \"0\"]\n"})
+  {
+    const Moved it(text);
+    double held = 0.;
+    for (const auto &[name, bytes] : memory(it.world))
+      held += bytes;
+    EXPECT_NEAR(foretell(it.scene, 1).solver_bytes(), held, 0.1 * held) << text;
+  }
+}
+
+TEST(Forecast, KnowsTheTipVelocitiesOfTheory)
+{
+  // Microscopic solvability at undercooling 0.55: V d0/D = 0.01703 at eps = 0.05, 0.00542 at 0.015.
+  auto scene = Moved::read(head + growth);
+  EXPECT_NEAR(tip_velocity(scene) * 0.185 / 3., 0.01703, 0.1 * 0.01703);
+  scene.growth->anisotropy = 0.015;
+  EXPECT_NEAR(tip_velocity(scene) * 0.185 / 3., 0.00542, 0.1 * 0.00542);
+  // Ivantsov's parabola: Delta = 0.55 has Pe = 0.257.
+  EXPECT_NEAR(peclet_number(0.55), 0.257, 0.002);
+}

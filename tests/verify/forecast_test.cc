@@ -1,0 +1,40 @@
+// What solvers foretell (`--plan`), held against what their runs took.
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "workspace.h"
+
+using nlohmann::json;
+
+namespace
+{
+  /// The forecasts of one run whose plan says 0.01 s + burn (fake_solver.cc).
+  json forecasts_of(const Workspace &w, const std::string &settings)
+  {
+    w.run("[[run]]\nsolver = \"mpm_pf\"\nset = [" + settings +
+          "]\n[[check]]\nname = \"c\"\nsource = \"s\"\nreason = \"r\"\ntake = {run = \"mpm_pf\", "
+          "number = \"largest\"}\nagainst = {number = 1}\nnorm = \"absolute\"\nlimit = 1\n");
+    return json::parse(w.read("results/campaign.json"));
+  }
+} // namespace
+
+TEST(Forecast, ThatCameTrueIsMet)
+{
+  const Workspace w;
+  const json campaign = forecasts_of(w, "\"fake.burn=0.5\"");
+  const json &run = campaign["cases"][0]["runs"][0];
+  EXPECT_EQ(run["forecast"]["time"], "met") << run["forecast"];
+  EXPECT_EQ(run["forecast"]["memory"], "met"); // 0.5 MB foretold and held
+  EXPECT_EQ(run["forecast"]["on"], "everything (line 1)");
+  EXPECT_EQ(run["forecast"]["bytes"]["points"], 5e5);
+  EXPECT_EQ(campaign["forecasts"]["time"]["met"], 1);
+}
+
+TEST(Forecast, ThatWasWrongIsMissedAndNoComparisonFails)
+{
+  const Workspace w;
+  const json campaign = forecasts_of(w, "\"fake.burn=1.0\", \"fake.foretold=0.01\"");
+  EXPECT_EQ(campaign["cases"][0]["runs"][0]["forecast"]["time"], "missed");
+  EXPECT_EQ(campaign["forecasts"]["time"]["missed"], 1);
+  EXPECT_EQ(campaign["exit_code"], 0) << "a finding, not a verdict";
+}
