@@ -129,14 +129,16 @@ void Recorder::observe_tip(const scene::TipProbe &probe, const scene::Probe &nam
       under_resolved = melt::resolution_warning(tip->radius, mesh, width);
   }
   const std::string length = scene::unit_text(scene::Dimension::length, world.scene->units);
-  const record::Columns columns{
-      {"position", "velocity", "velocity_residual", "radius", "radius_residual", "radius_window"},
-      {length, scene::unit_text(scene::Dimension::speed, world.scene->units), length, length,
-       length, length}};
+  const record::Columns columns{{"position", "velocity", "velocity_residual", "radius",
+                                 "radius_residual", "radius_window", "radius_crossings"},
+                                {length,
+                                 scene::unit_text(scene::Dimension::speed, world.scene->units),
+                                 length, length, length, length, "1"}};
   const auto value = [&](double melt::Tip::*member) { return tip ? (*tip).*member : none; };
   writer.table(named.name, columns, world.time,
                {value(&melt::Tip::position), velocity.value, velocity.residual,
-                value(&melt::Tip::radius), value(&melt::Tip::residual), value(&melt::Tip::window)});
+                value(&melt::Tip::radius), value(&melt::Tip::residual), value(&melt::Tip::window),
+                tip ? tip->crossings : 0.});
 }
 
 void Recorder::observe_reaction(ReactionWatch &watch, const World &world)

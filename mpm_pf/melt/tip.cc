@@ -133,7 +133,8 @@ namespace melt
       return std::nullopt;
     Tip tip;
     tip.position = *position;
-    tip.window = std::max(2. * mesh.spacing.maxCoeff(), 0.75 * width);
+    // Seven parallels at least for the five coefficients of the fit: fewer leave no residual.
+    tip.window = std::max(3. * mesh.spacing.maxCoeff(), 0.75 * width);
     // One parallel a mesh line: what lies between them is interpolated, and its curvature with it.
     const int each_side = static_cast<int>(std::lround(tip.window / mesh.spacing.minCoeff()));
     const Point aside(-unit[1], unit[0]);
