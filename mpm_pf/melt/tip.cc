@@ -95,26 +95,33 @@ namespace melt
       double aside, along; // of the tip, length
     };
 
-    /// Radius of x = a + b t + c t^2 + d t^3 + e t^4 at t = 0, and the fit's residual.
+    /// Radius at the tip of the curve t^2 + a t + b t s = 2 rho s + q s^2 + r s^3 through it, s the
+    /// depth behind the tip and t the distance from the ray, and the fit's residual.
     void fit_radius(Tip &tip, const std::vector<Crossing> &front)
     {
+      constexpr int coefficients = 5;
       tip.crossings = static_cast<int>(front.size());
       tip.radius = std::numeric_limits<double>::quiet_NaN();
-      if (tip.crossings < 5)
+      if (tip.crossings < coefficients + 2)
         return;
-      Eigen::MatrixXd terms(tip.crossings, 5);
-      Eigen::VectorXd along(tip.crossings);
+      Eigen::MatrixXd terms(tip.crossings, coefficients);
+      Eigen::VectorXd square(tip.crossings), weight(tip.crossings);
       for (int k = 0; k < tip.crossings; ++k)
       {
-        const Crossing &point = front[static_cast<std::size_t>(k)];
-        const double t = point.aside / tip.window;
-        terms.row(k) << 1., t, t * t, t * t * t, t * t * t * t;
-        along[k] = point.along;
+        const double t = front[static_cast<std::size_t>(k)].aside,
+                     s = -front[static_cast<std::size_t>(k)].along;
+        terms.row(k) << s, s * s, s * s * s, -t, -t * s;
+        square[k] = t * t;
+        weight[k] = 1. / (t * t);
       }
-      const Eigen::VectorXd c = terms.colPivHouseholderQr().solve(along);
-      tip.residual = (terms * c - along).norm() / std::sqrt(static_cast<double>(tip.crossings));
-      const double slope = c[1] / tip.window, bend = 2. * c[2] / (tip.window * tip.window);
-      tip.radius = -std::pow(1. + slope * slope, 1.5) / bend;
+      const Eigen::VectorXd c =
+          (weight.asDiagonal() * terms).colPivHouseholderQr().solve(weight.cwiseProduct(square));
+      // F(s, t) = t^2 + a t + b t s - 2 rho s - q s^2 - ... = 0 and its derivatives at the tip
+      const double by_s = -c[0], by_t = c[3], size = std::hypot(by_s, by_t);
+      const double bend = 2. * by_s * by_s - 2. * c[4] * by_s * by_t - 2. * c[1] * by_t * by_t;
+      tip.residual = (terms * c - square).norm() / std::abs(by_s) /
+                     std::sqrt(static_cast<double>(tip.crossings));
+      tip.radius = std::copysign(size * size * size / bend, c[0]);
     }
   } // namespace
 
@@ -133,14 +140,16 @@ namespace melt
       return std::nullopt;
     Tip tip;
     tip.position = *position;
-    // Seven parallels at least for the five coefficients of the fit: fewer leave no residual.
-    tip.window = std::max(3. * mesh.spacing.maxCoeff(), 0.75 * width);
-    // One parallel a mesh line: what lies between them is interpolated, and its curvature with it.
+    // Four mesh lines on each side at least: fewer leave no residual. What lies between mesh lines
+    // is interpolated, and its curvature with it, so it is not asked.
+    tip.window = std::max(4. * mesh.spacing.maxCoeff(), 0.75 * width);
     const int each_side = static_cast<int>(std::lround(tip.window / mesh.spacing.minCoeff()));
     const Point aside(-unit[1], unit[0]);
     std::vector<Crossing> front;
     for (int k = -each_side; k <= each_side; ++k)
     {
+      if (k == 0)
+        continue;
       const double t = k * tip.window / each_side;
       const auto beside = [&](double s)
       { return interpolated_psi(phi, mesh, ray.origin + s * unit + t * aside, width); };

@@ -3,9 +3,12 @@
 // All from psi = sqrt(2) W0 atanh phi, which runs straight across the interface: interpolating phi
 // itself would move the tip to and fro within a cell and spoil its curvature.
 //   position  the outermost crossing from solid to liquid, on a bicubic through 4 x 4 nodes
-//   radius    of curvature of a fourth-order polynomial fitted by least squares to the crossings on
-//             parallels of the ray a mesh line apart, within a window of the tip (a parabola is met
-//             exactly); beyond a symmetry wall the mirror image counts
+//   radius    of curvature of the curve t^2 + a t + b t s = 2 rho s + q s^2 + r s^3 fitted by least
+//             squares (of t^2 over t^2) to the crossings on parallels of the ray a mesh line apart,
+//             within a window of the tip; s is the depth behind it, t the distance from the ray. A
+//             dendrite's tip is a sharp cap on a much blunter parabola, so that depth over distance
+//             converges slowly; all conics are met exactly. Beyond a symmetry wall the mirror image
+//             counts
 //   velocity  least-squares slope of position over time across a window of travel of some cells,
 //             because the tip sticks a little at every node it passes
 #pragma once
@@ -33,7 +36,7 @@ namespace melt
     double radius = 0.;   // length; NaN if too few parallels meet the front; negative if concave
     double residual = 0.; // of the fit, root mean square along the ray, length
     double window = 0.;   // of the fit: parallels up to this distance on both sides, length
-    int crossings = 0;    // fitted
+    int crossings = 0;    // fitted; the fit has five coefficients
   };
 
   /// The tip on a ray, or nothing if the ray meets no solid or is solid up to the border. `width`:

@@ -155,7 +155,7 @@ TEST(Growth, CatchesTheBlowUpOfAForcedStepWithinAFewSteps)
   GrowthOptions options;
   options.force = true;
   Growth growth(mesh, test::paper_law(0.05), options, 0.55);
-  EXPECT_THROW(growth.advance(melt.fields(), 2.5 * growth.step_limit(), 400),
+  EXPECT_THROW(growth.advance(melt.fields(), 2.5 * growth.step_limit(), 48),
                medium::NumericalTrouble);
 }
 
