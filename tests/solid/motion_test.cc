@@ -88,32 +88,6 @@ TEST(Objectivity, DrivenRotationTurnsStressWithoutStraining)
   EXPECT_NEAR(mean(*block, "area"), 1., 1e-6);
 }
 
-// Both ends move off the grid, points stand off the cell centres and cross cells: the strain must
-// be uniform, sigma_xx = E' ln(stretch) with E' = E/(1 - nu^2) and free sides.
-TEST(Patch, StretchedStripIsUniform)
-{
-  scene::Scene scene = small::rectangle({0.53, 0.47}, {2.03, 0.83}, {4., 2.}, {20, 10});
-  small::hold(scene, "left", Edge::left, "-0.05*smooth(t, 4)", std::nullopt);
-  small::hold(scene, "right", Edge::right, "0.25*smooth(t, 4)", std::nullopt);
-  const solid::Owner strip = solid::make_solid(scene);
-  solid::advance(*strip, 5.);
-  const double strain = std::log(1. + 0.3 / 2.03), stress = 1000. / 0.91 * strain;
-  const record::Snapshot points = solid::snapshot(*strip, {"stress_xx"});
-  // Points beside the free sides feel that the outline cuts cells; the mean must not.
-  double squares = 0.;
-  for (const double s : points.fields.at("stress_xx"))
-    squares += (s / stress - 1.) * (s / stress - 1.);
-  EXPECT_LT(std::sqrt(squares / points.vertex.size()), 0.05);
-  EXPECT_NEAR(mean(*strip, "stress_xx") / stress, 1., 0.005);
-  EXPECT_NEAR(mean(*strip, "stress_yy") / stress, 0., 0.005);
-  EXPECT_NEAR(mean(*strip, "log_strain_xx"), strain, 0.005 * strain);
-  // The sides have moved in: force = stress times the width now.
-  solid::advance(*strip, 0.5);
-  const double width = 0.83 * std::exp(-0.3 / 0.7 * strain);
-  EXPECT_NEAR(solid::reaction(*strip, "right").force[0] / (stress * width), 1., 0.01);
-  EXPECT_NEAR(solid::reaction(*strip, "left").force[0] / (stress * width), -1., 0.01);
-}
-
 // Timoshenko's plane-strain field; a clamp instead of its root displacement is stiffer by less than
 // 1 %.
 TEST(Cantilever, BendsLikeTimoshenkos)
