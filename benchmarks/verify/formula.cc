@@ -1,5 +1,7 @@
 #include "formula.h"
 
+#include <cmath>
+
 #include <fmt/format.h>
 #include <muParser.h>
 
@@ -10,10 +12,27 @@ namespace verify
 {
   namespace
   {
+    // Theory of diffusion is written in these.
+    double error_function(const double x)
+    {
+      return std::erf(x);
+    }
+    double complementary_error_function(const double x)
+    {
+      return std::erfc(x);
+    }
+    double exponential_integral(const double x)
+    {
+      return -std::expint(-x);
+    }
+
     mu::Parser parser_of(const std::string &text, const Constants &constants)
     {
       mu::Parser parser;
       parser.DefineConst("pi", 3.14159265358979323846);
+      parser.DefineFun("erf", error_function);
+      parser.DefineFun("erfc", complementary_error_function);
+      parser.DefineFun("E1", exponential_integral);
       for (const auto &[name, value] : constants)
         parser.DefineConst(name, value);
       parser.SetExpr(text);

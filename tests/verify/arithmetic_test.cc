@@ -204,6 +204,13 @@ TEST(Outlines, TakeHolesOffWhicheverWayTheyRun)
   EXPECT_NEAR(symmetric_difference(ring, box(0., 0., 2., 2.)), 1., 1e-12);
 }
 
+// Abramowitz and Stegun, Tables 5.1 and 7.1.
+TEST(Formulas, KnowTheFunctionsOfDiffusion)
+{
+  EXPECT_NEAR(evaluate("erf(0.5) + 2*erfc(0.5)", {}), 2. - 0.5204998778, 1e-9);
+  EXPECT_NEAR(evaluate("E1(0.5)", {}), 0.559773595, 1e-9);
+}
+
 TEST(Formulas, KnowConstantsAndColumnsAndNameWhatIsMissing)
 {
   EXPECT_NEAR(evaluate("a^2/2", {{"a", 3.}}), 4.5, 1e-15);
