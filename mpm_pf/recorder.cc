@@ -98,6 +98,18 @@ void Recorder::observe(const World &world)
   cpu += record::cpu_seconds() - cpu_before;
 }
 
+void Recorder::observe_early_end(const World &world)
+{
+  for (auto &watch : watches)
+  {
+    const bool pending = watch.next < watch.times.size();
+    const bool just_seen = watch.next > 0 && world.time <= watch.times[watch.next - 1] + tolerance;
+    if (pending && !just_seen)
+      observe_probe(*watch.probe, world);
+    watch.next = watch.times.size();
+  }
+}
+
 void Recorder::observe_probe(const scene::Probe &probe, const World &world)
 {
   std::visit(

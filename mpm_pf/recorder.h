@@ -25,6 +25,9 @@ public:
   /// Record all that is due at world.time. Call it at the start and after every step.
   void observe(const World &);
 
+  /// A run that walls end before clock.end: what was still to be recorded is recorded now, once.
+  void observe_early_end(const World &);
+
   /// CPU and wall seconds spent observing.
   double cpu_seconds() const { return cpu; }
   double wall_seconds() const { return wall; }

@@ -41,5 +41,7 @@ bool simulate(World &world, Recorder &recorder, const std::function<bool(const W
     if (!look(world))
       return false;
   }
+  if (world.time < end * (1. - 1e-12))
+    recorder.observe_early_end(world);
   return true;
 }

@@ -49,8 +49,10 @@ namespace scene
       return Keys<Heat>("heat", "Eq. (2): temperature theta = (T - Tm)/(L/cp).")
           .require("diffusivity", &Heat::diffusivity, positive(Dimension::diffusivity),
                    "Thermal diffusivity D.", "")
-          .require("undercooling", &Heat::undercooling, between(0., 1.),
-                   "Delta: the melt starts at theta = -Delta.", "")
+          .require("undercooling", &Heat::undercooling, between(0., 2.),
+                   "Delta: the melt starts at theta = -Delta; from 1 on only a front with kinetics "
+                   "is steady.",
+                   "")
           .add("initial", &Heat::initial, any(), "First theta, of X and Y, instead.",
                "absent: -Delta everywhere, seeds included; a large body at the melting "
                "temperature needs an expression")

@@ -44,6 +44,7 @@ namespace scene
         {"The anisotropy is at most 1/15.", anisotropy_is_well_posed},
         {"d0, tau0, W0, D and the kinetic coefficient satisfy the thin-interface relations to 1 %.",
          kinetics_are_consistent},
+        {"Growth at an undercooling of 1 or more has kinetics.", strong_undercooling_has_kinetics},
         {"The first temperature does not depend on t.", first_temperature_is_fixed},
         {"Noise on a domain with symmetry sides is mirrored.", noise_respects_symmetry},
         // Probes

@@ -32,6 +32,7 @@ namespace scene
   void walls_know_when_to_start(const Inspection &);
   void anisotropy_is_well_posed(const Inspection &);
   void kinetics_are_consistent(const Inspection &);
+  void strong_undercooling_has_kinetics(const Inspection &);
   void first_temperature_is_fixed(const Inspection &);
   void noise_respects_symmetry(const Inspection &);
 

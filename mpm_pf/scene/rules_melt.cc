@@ -115,6 +115,19 @@ namespace scene
                     (beta > 0. ? ", or kinetic_coefficient = " + number_text(beta) : ""));
   }
 
+  void strong_undercooling_has_kinetics(const Inspection &in)
+  {
+    if (!sound(in, "growth") || !sound(in, "heat") || in.scene().heat->undercooling < 1. ||
+        in.scene().growth->kinetic_coefficient.value_or(0.) > 0.)
+      return;
+    in.complain(in.at("heat", "undercooling"),
+                "read " + number_text(in.scene().heat->undercooling) +
+                    ": the heat sink takes all latent heat, and without kinetics nothing limits "
+                    "the speed of the front",
+                "less than 1, or a kinetic_coefficient greater than 0 in [growth]",
+                "lower it, or give kinetics (a planar front then moves at (Delta - 1)/beta)");
+  }
+
   void first_temperature_is_fixed(const Inspection &in)
   {
     if (!in.written("heat", "initial") || !sound(in, "heat"))

@@ -144,6 +144,8 @@ reaction = "top"
              "nothing is carried"},
             {"extension_without_solid", plus(seed, "[extension]\nband = 3\n"), "[extension]",
              "no use without [solid]"},
+            {"undercooling_without_limit", with(seed, "undercooling = 0.55", "undercooling = 1.2"),
+             "undercooling", "nothing limits"},
             {"timed_temperature",
              with(seed, "undercooling = 0.55", "undercooling = 0.55\ninitial = \"t\""), "initial",
              "depends on t"},

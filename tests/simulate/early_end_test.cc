@@ -1,0 +1,48 @@
+// A run that its walls end early must still answer the probes that look at the end.
+#include <filesystem>
+#include <fstream>
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "record/reader.h"
+#include "scene/reader.h"
+#include "simulate.h"
+
+namespace
+{
+  const std::string walled =
+      "title = \"t\"\n[domain]\nsize = [16.0, 16.0]\ncells = [32, 32]\n"
+      "[[body]]\nshape = \"rectangle\"\ncorner = [4.0, 4.0]\nsize = [8.0, 8.0]\n"
+      "[solid]\nyoung_modulus = 100.0\npoisson_ratio = 0.3\ndensity = 1.0\n"
+      "[phase_field]\nwidth = 1.0\n"
+      "[[wall]]\nside = \"top\"\nspeed = 1.0\ntravel = 0.5\nstart_time = 0.0\n"
+      "[[probe]]\nname = \"shape\"\noutline = \"material\"\n"
+      "[[probe]]\nname = \"melt\"\nhistory = true\nevery = 0.2\n"
+      "[clock]\nend = 3.0\n";
+} // namespace
+
+TEST(EarlyEnd, IsSeenOnceByProbesOfTheEndAndOfIntervals)
+{
+  const auto folder =
+      std::filesystem::temp_directory_path() / ("early_end_" + std::to_string(getpid()));
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "scene.toml") << walled;
+  const scene::Scene scene = scene::read_scene((folder / "scene.toml").string(), {});
+  const std::string path = (folder / "record.h5").string();
+  {
+    World world = build_world(scene, 1);
+    record::Writer writer(path, record::collect("test", "test", 1), scene, true);
+    Recorder recorder(scene, writer);
+    ASSERT_TRUE(simulate(world, recorder, [](const World &) { return true; }));
+    EXPECT_LT(world.time, 0.6);
+    writer.finish({});
+  }
+  const record::Reader reader(path);
+  ASSERT_EQ(reader.outline("shape").time.size(), 1u);
+  EXPECT_NEAR(reader.outline("shape").time[0], 0.5, 0.05);
+  const auto times = reader.table("melt").time;
+  ASSERT_EQ(times.size(), 4u); // 0, 0.2, 0.4 and the end
+  EXPECT_NEAR(times.back(), 0.5, 0.05);
+  std::filesystem::remove_all(folder);
+}
