@@ -146,7 +146,8 @@ def field_map(axes, panel, name, record, snapshot, field, norm, clip=None, facto
         jj, ii = np.nonzero(~np.isnan(means))
         centre, values = np.column_stack([x[ii], y[jj]]), means[jj, ii]
     else:
-        drawn = image(axes, snapshot.x, snapshot.y, values, **options)
+        # a nodal field is continuous between its nodes: steps would be the picture's, not the field's
+        drawn = image(axes, snapshot.x, snapshot.y, values, **{"interpolation": "bilinear", **options})
         grid_x, grid_y = np.meshgrid(snapshot.x, snapshot.y)
         centre, values = np.column_stack([grid_x.ravel(), grid_y.ravel()]), values.ravel()
     if clip:

@@ -31,7 +31,12 @@ def figure1(results):
     for one, (time, name, _) in zip(axes[1], entries[1:]):
         snapshot = run.snapshot_of("phi", time, "grid")
         drawn, _ = panels.field_map(one, name, name, run, snapshot, "phi", norm)
-    panels.colour_bar(figure, drawn, axes[1], style.NAMES["phi"])
+        exact = patches.Circle(centre if time == end else far, radius, fill=False, ls=":", lw=0.8, color=style.FINITE_ELEMENTS)
+        one.add_patch(exact)
+        one.set_title(f"$\\phi$ after {name}", fontsize=8)
+    sketch.set_title("circle of radius 0.15 and its way", fontsize=8)
+    axes[0, 1].set_title("contours $\\phi = 0$", fontsize=8)
+    panels.colour_bar(figure, drawn, axes, style.NAMES["phi"], shrink=0.5)
     for one in axes.ravel():
         one.set(xlim=(0, domain["size"][0]), ylim=(0, domain["size"][1]), aspect="equal")
         one.set(xticks=[0, 0.5, 1], yticks=[0, 0.5, 1])

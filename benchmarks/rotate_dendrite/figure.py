@@ -31,11 +31,17 @@ def figure2(results):
         color=style.FINITE_ELEMENTS,
         lw=0.8,
     )
-    axes[1, 1].legend(loc="upper right", fontsize=6.5, handlelength=1.4)
+    axes[1, 1].legend(loc="center", fontsize=7, handlelength=1.4)
+    names = ("at rest", "turned by 45° while growing", "the same, crystal angle frozen", r"contours $\phi = 0$")
+    for one, name in zip(axes.ravel(), names):
+        one.set_title(name, fontsize=8)
     panels.lettered(axes)
     for one in axes.ravel():
         one.set(xlim=(-1.12 * reach, 1.12 * reach), ylim=(-1.12 * reach, 1.12 * reach), aspect="equal")
-        one.set(xticks=[], yticks=[])
+    for one in axes[1]:
+        one.set_xlabel("$x/W_0$")
+    for one in axes[:, 0]:
+        one.set_ylabel("$y/W_0$")
     panels.colour_bar(figure, drawn, axes, style.NAMES["phi"], shrink=0.5)
     return figure, [rest, back]
 

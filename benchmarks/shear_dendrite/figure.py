@@ -3,7 +3,7 @@
 from fractions import Fraction
 
 import numpy as np
-from matplotlib import pyplot
+from matplotlib import patches, pyplot
 
 import panels
 import record
@@ -19,13 +19,23 @@ def shear_rate(run):
     return float(Fraction(top) / Fraction(bottom))
 
 
-def tip_path(run):
-    """(time, position) of the vertex of each contour that lies farthest to the right."""
+def tip_path(run, rate=0.0):
+    """(times, positions) of the tip: where the contour reaches farthest along the turned crystal axis.
+
+    The extreme of a parabola through the vertices within 2 W0 of the farthest one: vertices lie on mesh lines.
+    """
     times = run.times("outlines", "contour")
     tips = []
     for time in times:
+        axis = np.array([np.cos(0.5 * rate * time), -np.sin(0.5 * rate * time)])
+        across = np.array([-axis[1], axis[0]])
         vertices = np.vstack(run.outline("contour", time))
-        tips.append(vertices[np.argmax(vertices[:, 0])])
+        along, aside = vertices @ axis, vertices @ across
+        far = np.argmax(along)
+        near = np.linalg.norm(vertices - vertices[far], axis=1) < 2.0
+        bend, slope, top = np.polyfit(aside[near] - aside[far], along[near], 2)
+        shift = -slope / (2 * bend)
+        tips.append((top - slope**2 / (4 * bend)) * axis + (aside[far] + shift) * across)
     return times, np.array(tips)
 
 
@@ -56,16 +66,17 @@ def figure3(results):
     for x in np.linspace(0.15, 0.95, 5) * size[0]:
         left.annotate("", (x, -0.6 * x), (x, 0), arrowprops={"arrowstyle": "->", "lw": 0.7})
     left.plot([0, 0.97 * size[0]], [0, -0.58 * size[0]], color=style.GREY, lw=0.6, ls="--")
-    left.text(0.4 * size[0], 0.15 * size[1], "$v_y = -g\\,x$", ha="left")
+    left.text(0.45 * size[0], 0.08 * size[1], "$v_x = 0,\\;\\; v_y = -g\\,x$", ha="left")
     left.text(-0.05 * size[0], 0.2 * size[1], "symmetry", rotation=90, va="center", ha="right", fontsize=8)
-    left.add_patch(pyplot.Circle((0, 0), run.scene["body"][0]["radius"], color=style.MATERIAL_POINTS))
+    left.add_patch(patches.Wedge((0, 0), run.scene["body"][0]["radius"], -90, 90, color=style.MATERIAL_POINTS))
+    left.text(0.12 * size[0], 0.04 * size[1], "seed", fontsize=8)
     left.set(xlim=(-0.2 * size[0], 1.05 * size[0]), ylim=(1.02 * lower[1], 1.02 * (lower[1] + size[1])))
     panels.plain(left)
     curves = []
     for time in run.times("outlines", "contour"):
         curve = run.outline("contour", time)
         curves.append(panels.outlines(right, "contours", f"t = {time:g}", curve, lw=0.45, color=style.GREY, label=None))
-    times, tips = tip_path(run)
+    times, tips = tip_path(run, rate)
     still_times, still_tips = tip_path(still)
     path_x, path_y = superposed(still_times, still_tips[:, 0], rate)
     curves += panels.line_overlay(

@@ -18,7 +18,7 @@ def spacing(run):
 def velocity(run):
     """Slope of the tip's position over windows of time: (middles of the windows, slopes)."""
     table = run.table("tip east")
-    time, position = table["time"], table["position"]
+    time, position = table.time, table["position"]
     middles = np.arange(30.0, time[-1] - WINDOW / 2 + 1e-9, 5.0)
     slopes = []
     for middle in middles:

@@ -55,6 +55,14 @@ namespace medium
   /// extend_into_liquid. Throws std::logic_error if there was none.
   void extend_remembered(Extension &, const std::vector<Field<double> *> &fields, const Mesh &);
 
+  /// Memory that grows with the mesh.
+  inline std::size_t bytes(const Extension &extension)
+  {
+    const Distance &distance = extension.distance;
+    return distance.psi.bytes() + distance.piece.bytes() + distance.offset.bytes() +
+           extension.nearest_piece.bytes();
+  }
+
   /// Lets the next call draw the map beyond the band afresh: called where a checkpoint is written
   /// or read, so that a resumed run has the same bits.
   inline void renew(Extension &extension)
