@@ -30,8 +30,8 @@ namespace
     Arms arms;
     arms.seed = 0.5 * (body.upper - body.lower).maxCoeff();
     arms.speed = tip_velocity(scene);
-    // Heat piles up before an adiabatic side over the boundary layer's length.
-    arms.gap = arms.speed > 0. && scene.heat ? 2. * scene.heat->diffusivity / arms.speed : 0.;
+    // Heat piles up before an adiabatic side; the tip all but stalls at half a boundary layer.
+    arms.gap = arms.speed > 0. && scene.heat ? 0.55 * scene.heat->diffusivity / arms.speed : 0.;
     const scene::Point lower = scene.domain.lower, upper = scene.domain.upper();
     arms.room = {centre[0] - lower[0], upper[0] - centre[0], centre[1] - lower[1],
                  upper[1] - centre[1]};
@@ -40,37 +40,46 @@ namespace
     return arms;
   }
 
-  /// Number of quarters of the crystal inside the domain.
-  double quarters(const Arms &arms)
-  {
-    return (arms.visible[0] + arms.visible[1]) * (arms.visible[2] + arms.visible[3]);
-  }
-
-  /// Length of phi = 0: each quarter has the sides of two half arms, wavy with a factor.
+  /// Length of phi = 0: each quarter has the sides of two half arms, rounder at first.
   double interface_length(const Arms &arms, const double time)
   {
-    constexpr double waviness = 1.2;
     double length = 0.;
     for (const std::size_t x : {0u, 1u})
       for (const std::size_t y : {2u, 3u})
         if (arms.visible[x] > 0. && arms.visible[y] > 0.)
-          length += waviness * (arms.reach(x, time) + arms.reach(y, time));
+        {
+          const double arm = arms.reach(x, time) + arms.reach(y, time);
+          length += 0.8 * arm + 0.47 * std::min(arm, 2. * arms.seed);
+        }
     return length;
   }
 
-  /// Part of the area between two arms that is solid; a disc has pi/4.
-  double solid_area(const Arms &arms, const double time)
+  /// Solid part of the rectangles between two arms: a disc's at first, slimmer as the arms grow
+  /// out, the more so the stronger the anisotropy; no more than the undercooling can freeze.
+  double solid_area(const scene::Scene &scene, const Arms &arms, const double time)
   {
+    const double strength = std::pow(scene.growth->anisotropy / 0.05, 2);
     double area = 0.;
     for (const std::size_t x : {0u, 1u})
       for (const std::size_t y : {2u, 3u})
       {
         const double a = arms.reach(x, time), b = arms.reach(y, time);
-        const double slimness =
-            std::max(0.35, pi / 4. * std::exp(-(std::min(a, b) - arms.seed) / (8. * arms.seed)));
-        area += slimness * a * b;
+        const double grown = (std::min(a, b) - arms.seed) / arms.seed;
+        area += std::max(0.15, pi / 4. * std::exp(-grown * strength / 22.)) * a * b;
       }
-    return area;
+    const double freezable = scene.heat ? std::min(1., scene.heat->undercooling) : 1.;
+    return std::min(area, freezable * scene.domain.size.prod());
+  }
+
+  /// Nodes across the strip of active tiles: phi comes to rest in its wells, to the sweep's
+  /// flatness, at some 17 (float: 9) widths from the front, and a tile works where a neighbour
+  /// does.
+  double strip_width(const World &world)
+  {
+    constexpr double tiles = 52.; // two of mean width at any angle, and the halves they overlap
+    const bool whole = world.scene->growth->precision == scene::Precision::double_precision;
+    return tiles +
+           2. * (whole ? 17. : 9.) * world.scene->phase_field->width / world.mesh->spacing[0];
   }
 
   /// Area within the reach of the heat: theta counts as resting only where it is one constant to
@@ -99,10 +108,10 @@ namespace
                            : arms.speed > 0.
                                ? std::max(0., (room - wall.start_distance - arms.seed) / arms.speed)
                                : load.end;
-      // The tip goes on while the wall comes, at half its speed in the mean.
+      // The tip all but stalls in the heat that piles up before the wall.
       const double gap = wall.start_time ? std::max(0., room - arms.seed - arms.speed * start)
                                          : wall.start_distance;
-      const double meet = start + 0.5 * wall.ramp + gap / (wall.speed + 0.5 * arms.speed);
+      const double meet = start + 0.5 * wall.ramp + gap / (wall.speed + 0.15 * arms.speed);
       load.pressed_from = std::min(load.pressed_from, meet);
       load.end = std::min(load.end, start + 0.5 * wall.ramp + wall.travel / wall.speed);
     }
@@ -141,22 +150,17 @@ GrowthLoad growth_load(const World &world)
   GrowthLoad load;
   load.end = load.pressed_from = scene.clock.end;
   let_walls_end(world, arms, load);
-  load.solid_area = solid_area(arms, load.pressed_from);
+  load.solid_area = solid_area(scene, arms, load.pressed_from);
 
-  // A tile works on both equations where the interface runs through it or a neighbour: the strip of
-  // active tiles is about three tiles wide, of which the mean width is that of 32 x 8 nodes met at
-  // any angle.
-  constexpr double strip = 46.;
+  const double strip = strip_width(world);
   const double cell = world.mesh->spacing[0];
   const double nodes = static_cast<double>(world.mesh->node_count());
   constexpr int samples = 40;
   for (int k = 0; k < samples; ++k)
   {
     const double time = (k + 0.5) / samples * load.end;
-    const double active = scene.growth->tiles
-                              ? std::min(nodes, strip * interface_length(arms, time) / cell +
-                                                    quarters(arms) * 0.25 * strip * strip)
-                              : nodes;
+    const double active =
+        scene.growth->tiles ? std::min(nodes, strip * interface_length(arms, time) / cell) : nodes;
     const double heated =
         scene.growth->tiles && !world.noise
             ? std::min(nodes, heated_area(world, arms, time) / (cell * world.mesh->spacing[1]))

@@ -8,11 +8,12 @@
 #include "commands.h"
 #include "record/provenance.h"
 #include "section.h"
-#include "trade_file.h"
+#include "trade_default.h"
 #include "written.h"
 
 namespace verify
 {
+  namespace fs = std::filesystem;
   namespace
   {
     constexpr double short_run_s = 1.; // below it one run says little: one warm-up, median of three
@@ -157,7 +158,9 @@ namespace verify
 
   int tradeoff(const Places &places, const std::string &name, const CampaignOptions &options)
   {
-    const Trade trade = read_trade(case_folder(places, name));
+    const std::string folder = case_folder(places, name);
+    const Trade trade =
+        fs::exists(folder + "/tradeoff.toml") ? read_trade(folder) : default_trade(folder);
     const std::string runs = options.output + "/tradeoff/runs";
     auto jobs = jobs_of(trade.c, places, runs);
     for (auto &job : jobs)

@@ -56,6 +56,7 @@ namespace scene
       double mach;                  // of a solid that is driven, not thrown
       const char *precision;        // of growth
       const char *advection;        // scheme
+      double advection_step;        // cells that the motion may cross per step and axis
       int degree;                   // of the finite elements
       int load_steps;               // of the finite elements
       double elements_across_thinnest;
@@ -63,9 +64,9 @@ namespace scene
 
     const Level &level_of(const Accuracy accuracy)
     {
-      static const Level draft{0.8, 0.67, 5., 2, 1e-2, "float", "cip", 2, 25, 2.},
-          standard{0.6, 0.5, 10., 2, 5e-3, "float", "cip_hermite", 2, 50, 4.},
-          fine{0.4, 0.25, 20., 3, 2e-3, "double", "cip_hermite", 2, 200, 10.};
+      static const Level draft{0.8, 0.67, 5., 2, 1e-2, "float", "cip_hermite", 0.4, 2, 25, 2.},
+          standard{0.6, 0.5, 10., 2, 5e-3, "float", "cip_hermite", 0.4, 2, 50, 4.},
+          fine{0.4, 0.25, 20., 3, 2e-3, "double", "cip_hermite", 0.4, 2, 200, 10.};
       return accuracy == Accuracy::draft ? draft : accuracy == Accuracy::fine ? fine : standard;
     }
 
@@ -169,8 +170,12 @@ namespace scene
         choices.push_back(
             {"growth", "precision", text(level.precision), word(s.growth->precision)});
       if (s.imposed || (s.solid && s.phase_field))
-        choices.push_back({"advection", "scheme", text(level.advection),
-                           word(s.advection.value_or(Advection{}).scheme)});
+      {
+        const Advection advection = s.advection.value_or(Advection{});
+        choices.push_back({"advection", "scheme", text(level.advection), word(advection.scheme)});
+        choices.push_back({"advection", "step_fraction", number(level.advection_step),
+                           number_text(advection.step_fraction)});
+      }
       return choices;
     }
 

@@ -1,0 +1,184 @@
+#include "trade_default.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "places.h"
+#include "scene/reader.h"
+#include "section.h"
+
+namespace verify
+{
+  namespace
+  {
+    constexpr double time_limit_s = 60.;
+
+    std::string suite_of(const std::string &folder)
+    {
+      for (const char *suite : {"quick", "smoke"})
+        if (takes_part(folder, suite))
+          return suite;
+      return "full";
+    }
+
+    const Run *run_named(const Case &c, const std::string &name)
+    {
+      for (const Run &run : c.runs)
+        if (run.name == name)
+          return &run;
+      return nullptr;
+    }
+
+    /// The first run of a solver on the case's own scene that is meant to succeed.
+    const Run *base_run(const Case &c, const std::string &solver)
+    {
+      for (const Run &run : c.runs)
+        if (run.solver == solver && run.scene == c.scene && run.expect_exit == 0 &&
+            run.needs.empty())
+          return &run;
+      return nullptr;
+    }
+
+    bool of_one_run(const Take &take, const std::string &run)
+    {
+      return take.run == run || (take.kind == Take::Kind::value && !take.with.empty() &&
+                                 std::all_of(take.with.begin(), take.with.end(),
+                                             [&](const Take &inner) { return inner.run == run; }));
+    }
+
+    /// Whether another run's answer can stand in the check's place.
+    bool measures_error(const Check &check, const Case &c, const Run &base)
+    {
+      if (check.norm == "value" || !check.order_over.empty() || !of_one_run(check.take, base.name))
+        return false;
+      if (check.against.kind != Against::Kind::run)
+        return true;
+      const Run *other = run_named(c, check.against.take.run);
+      return other && other->solver == "fe_reference" && check.against.take.with.empty();
+    }
+
+    struct Family
+    {
+      std::string name, key;
+      std::vector<std::string> values;
+      std::vector<std::string> set;
+    };
+
+    /// The scene's cells times 1/2, 1 and 2, as far as they are whole.
+    std::vector<std::string> scaled(const std::array<int, 2> &cells)
+    {
+      std::vector<std::string> values;
+      if (cells[0] % 2 == 0 && cells[1] % 2 == 0)
+        values.push_back(fmt::format("[{},{}]", cells[0] / 2, cells[1] / 2));
+      values.push_back(fmt::format("[{},{}]", cells[0], cells[1]));
+      values.push_back(fmt::format("[{},{}]", 2 * cells[0], 2 * cells[1]));
+      return values;
+    }
+
+    std::vector<Family> families_of(const scene::Scene &s)
+    {
+      std::vector<Family> families{{"cells", "domain.cells", scaled(s.domain.cells), {}}};
+      if (s.solid)
+      {
+        families.push_back({"points per cell", "mpm.points_per_cell", {"[2,2]", "[3,3]"}, {}});
+        families.push_back({"step", "mpm.step_fraction", {"0.2", "0.7"}, {}});
+        families.push_back(
+            {"shape function", "mpm.shape_function", {"\"ugimp\"", "\"linear\""}, {}});
+        families.push_back({"transfer", "mpm.transfer", {"\"apic\"", "\"flip\""}, {}});
+      }
+      if (s.growth)
+      {
+        families.push_back({"precision", "growth.precision", {"\"float\""}, {}});
+        families.push_back({"Laplacian", "growth.laplacian", {"\"five_point\""}, {}});
+      }
+      if (s.imposed || (s.solid && s.phase_field))
+        families.push_back({"advection",
+                            "advection.scheme",
+                            {"\"cip\"", "\"cip_hermite\"", "\"weno5\"", "\"upwind\""},
+                            {}});
+      std::vector<std::string> given{"domain.cells="};
+      if (s.mpm)
+        given.insert(given.end(), {"mpm.points_per_cell=", "mpm.mach="});
+      if (s.growth)
+        given.push_back("growth.precision=");
+      if (s.advection)
+        given.insert(given.end(), {"advection.scheme=", "advection.step_fraction="});
+      families.push_back(
+          {"accuracy presets", "accuracy", {"\"draft\"", "\"standard\"", "\"fine\""}, given});
+      return families;
+    }
+
+    std::vector<Family> element_families(const scene::Scene &s)
+    {
+      const scene::Fe fe = s.fe.value_or(scene::Fe{});
+      std::vector<Family> families{
+          {"finite elements, load steps",
+           "fe.load_steps",
+           {std::to_string(std::max(1, fe.load_steps / 4)), std::to_string(fe.load_steps)},
+           {}}};
+      if (fe.cells[0] > 0)
+        families.push_back({"finite elements, cells", "fe.cells", scaled(fe.cells), {}});
+      return families;
+    }
+
+    void add_rows(Trade &trade, const Run &base, const std::vector<Family> &families)
+    {
+      for (const Family &family : families)
+        for (const std::string &value : family.values)
+        {
+          TradeRow row{family.name, {{family.key, value}}, base};
+          row.run.name = fmt::format("default_{}", trade.rows.size() + 1);
+          row.run.time_limit_s = time_limit_s;
+          row.run.set.insert(row.run.set.end(), family.set.begin(), family.set.end());
+          row.run.set.push_back(family.key + "=" + value);
+          trade.rows.push_back(row);
+          trade.c.runs.push_back(row.run);
+        }
+    }
+
+    void add_measures(Trade &trade, const Case &c, const Run &base)
+    {
+      for (Check check : c.checks)
+      {
+        if (!measures_error(check, c, base))
+          continue;
+        check.low = 0.;
+        check.high = std::numeric_limits<double>::infinity();
+        check.uncertain_take.clear();
+        check.uncertain_against.clear();
+        if (check.against.kind == Against::Kind::run && !run_named(trade.c, check.against.take.run))
+        {
+          trade.c.runs.push_back(*run_named(c, check.against.take.run));
+          trade.references.push_back(check.against.take.run);
+        }
+        check.name += ", " + check.norm;
+        trade.measures.push_back(check);
+      }
+    }
+  } // namespace
+
+  Trade default_trade(const std::string &folder)
+  {
+    const Case c = read_case(folder, suite_of(folder));
+    Trade trade;
+    trade.c = c;
+    trade.c.runs.clear();
+    const Run *base = base_run(c, "mpm_pf");
+    if (base)
+      add_measures(trade, c, *base);
+    if (trade.measures.empty())
+      throw BadInput(fmt::format("{} declares no trade (tradeoff.toml), and none of its checks "
+                                 "holds one run against theory or finite elements",
+                                 folder));
+    const scene::Scene s = scene::read_scene(folder + "/" + base->scene, base->set);
+    add_rows(trade, *base, families_of(s));
+    if (const Run *elements = base_run(c, "fe_reference"))
+      add_rows(trade, *elements, element_families(s));
+    trade.reference_text = "the checks of expect.toml";
+    return trade;
+  }
+} // namespace verify

@@ -1,0 +1,119 @@
+// A crystal and the solid that it becomes: what the first steps of a run cannot show.
+#include <algorithm>
+#include <cmath>
+
+#include "accounts.h"
+#include "forecast_growth.h"
+#include "forecast_probes.h"
+
+namespace
+{
+  void foretell_growth(World &world, const GrowthLoad &load, const double triad, Forecast &forecast)
+  {
+    const double steps = load.end / growth_step_taken(world);
+    const double seconds = seconds_per_growth_step(world);
+    const auto &tiles = world.growth->tiles();
+    const double tile = medium::Tiles::width * medium::Tiles::height;
+    const double nodes = static_cast<double>(world.mesh->node_count());
+    const auto count = [&](const medium::Activity activity)
+    { return std::min(nodes, tile * static_cast<double>(tiles.count(activity))); };
+    // Heat alone is bound by memory: one triad a node (benchmarks/kernels), half in float.
+    const bool single = world.scene->growth->precision == scene::Precision::single_precision;
+    const double heat_alone = (single ? 0.6 : 1.1) * triad;
+    const double active_now = count(medium::Activity::active);
+    const double each =
+        std::max(2. * heat_alone, (seconds - heat_alone * count(medium::Activity::heat_only)) /
+                                      std::max(1., active_now));
+    forecast.counts["growth steps"] = steps;
+    forecast.counts["active nodes, mean"] = load.active_nodes;
+    forecast.counts["heated nodes, mean"] = load.heated_nodes;
+    forecast.seconds["growth"] =
+        steps * (each * load.active_nodes + heat_alone * load.heated_nodes);
+  }
+  /// Points that will be sown, and the gradients that the melt's fields carry once they move.
+  void foretell_pressed_memory(const World &world, const GrowthLoad &load, const double points,
+                               Forecast &forecast)
+  {
+    const scene::Scene &scene = *world.scene;
+    const bool split = scene.mpm && scene.mpm->split_points;
+    const double bytes_per_point = split ? 146. : 130., bytes_per_grid_node = 137.;
+    const double in_use = 1.2; // nodes over cells: the rim
+    forecast.bytes["solid points"] = points * bytes_per_point;
+    forecast.bytes["solid grid"] =
+        in_use * load.solid_area / world.mesh->spacing.prod() * bytes_per_grid_node;
+    forecast.bytes["solid scratch"] = points * 21.;
+    const auto scheme = scene.advection ? scene.advection->scheme : scene::AdvectionScheme::cip;
+    const double carried = scheme == scene::AdvectionScheme::cip           ? 4.
+                           : scheme == scene::AdvectionScheme::cip_hermite ? 5.
+                                                                           : 1.;
+    const double field = static_cast<double>(world.phase->value.bytes());
+    forecast.bytes["phase field"] = carried * field;
+    if (world.heat)
+      forecast.bytes["heat"] = carried * field;
+    if (world.orientation && scene.orientation->turning)
+      forecast.bytes["orientation"] = (2. + carried) * field; // cosine and sine beside the angle
+    forecast.bytes["advection"] = std::max(0., carried - 1.) * field;
+  }
+
+  /// CPU seconds of a point's step with the scene's material and settings: a block of them, timed.
+  double point_step_seconds(const scene::Scene &asked)
+  {
+    constexpr int side = 32; // cells
+    scene::Scene block;
+    const double cell = asked.domain.spacing()[0];
+    block.domain.size = {(side + 8) * cell, (side + 8) * cell};
+    block.domain.cells = {side + 8, side + 8};
+    scene::Body body;
+    body.name = "block";
+    body.shape = scene::Rectangle{{4. * cell, 4. * cell}, {side * cell, side * cell}};
+    block.bodies.push_back(body);
+    block.solid = asked.solid;
+    block.mpm = asked.mpm;
+    if (block.mpm)
+      block.mpm->mach.reset();
+    block.clock.end = 1.;
+    const auto points = solid::make_solid(block);
+    const double step = solid::stable_step(*points);
+    return seconds_of([&] { solid::advance(*points, step); }, probe_budget_s, probe_calls) /
+           static_cast<double>(solid::points(*points));
+  }
+
+  /// A solid that a wall finds when it arrives: points are sown over the crystal, then the solid,
+  /// its velocity's extension and the melt's advection work until the walls have travelled. What
+  /// a node costs, in steps of a point, is that of the compressed dendrite.
+  void foretell_pressing(const World &world, const GrowthLoad &load, Forecast &forecast)
+  {
+    constexpr double carried_node = 0.3, extended_node = 6.;
+    const scene::Scene &scene = *world.scene;
+    const scene::Mpm mpm = scene.mpm.value_or(scene::Mpm{});
+    const double cell = world.mesh->spacing.prod(), duration = load.end - load.pressed_from;
+    const double points = load.solid_area / cell * mpm.points_per_cell[0] * mpm.points_per_cell[1];
+    const double steps = duration / solid::stable_step(*world.solid);
+    const double nodes = static_cast<double>(world.mesh->node_count());
+    double coupling = coupling_step(world); // or shorter: probes are met exactly
+    for (const scene::Probe &probe : scene.probes)
+      if (probe.every)
+        coupling = std::min(coupling, *probe.every);
+    const double couplings = duration / coupling;
+    const double fields = 1. + (world.heat ? 1. : 0.) + (world.orientation ? 1. : 0.);
+    forecast.counts["points"] = points;
+    forecast.counts["steps"] = steps;
+    forecast.counts["coupling steps"] = couplings;
+    const double point_step = point_step_seconds(scene);
+    forecast.seconds["solid"] = steps * points * point_step;
+    forecast.seconds["advection"] =
+        couplings * nodes * point_step * (fields * carried_node + extended_node);
+    foretell_pressed_memory(world, load, points, forecast);
+  }
+} // namespace
+
+void foretell_crystal(World &world, const double triad, Forecast &forecast)
+{
+  const GrowthLoad load = growth_load(world);
+  foretell_growth(world, load, triad, forecast);
+  foretell_advection(world, load.end, forecast);
+  forecast.bytes = memory(world);
+  if (world.solid)
+    foretell_pressing(world, load, forecast);
+}
+} // namespace

@@ -1,0 +1,67 @@
+#include "forecast_probes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "coupling.h"
+#include "record/provenance.h"
+
+double seconds_of(const std::function<void()> &call, const double budget, const int most)
+{
+  call();
+  const double begin = record::cpu_seconds();
+  int calls = 0;
+  do
+  {
+    call();
+    ++calls;
+  } while (record::cpu_seconds() - begin < budget && calls < most);
+  return (record::cpu_seconds() - begin) / calls;
+}
+
+double triad_seconds(const std::size_t nodes)
+{
+  std::vector<double> a(nodes, 0.), b(nodes, 1.), c(nodes, 2.);
+  double s = 0.5;
+  const double pass = seconds_of(
+      [&]
+      {
+        for (std::size_t i = 0; i < nodes; ++i)
+          a[i] = b[i] + s * c[i];
+        s = 0.5 + 1e-9 * a[nodes / 2];
+      },
+      0.01, 100);
+  return pass / static_cast<double>(nodes);
+}
+
+double growth_step_taken(const World &world)
+{
+  return std::min(growth_step(world), coupling_step(world));
+}
+
+double seconds_per_growth_step(World &world)
+{
+  // From one coupling to the next; a coupling step may be shorter than a growth step.
+  const double steps =
+      std::clamp(std::ceil(coupling_step(world) / growth_step(world) * (1. - 1e-9)), 1., 16.);
+  const double length = steps * growth_step_taken(world);
+  return seconds_of([&] { grow(world, length); }, probe_budget_s, probe_calls) / steps;
+}
+
+void foretell_advection(World &world, const double end, Forecast &forecast)
+{
+  const double step = coupling_step(world);
+  if (!world.imposed || world.imposed->crossing_rate() <= 0.)
+    return;
+  const double steps = std::max(1., end / step);
+  forecast.counts["coupling steps"] = steps;
+  const double write = seconds_of(
+      [&]
+      {
+        world.imposed->write(world.time, *world.mesh, *world.velocity);
+        carry(world, 1e-3 * step);
+      },
+      probe_budget_s, static_cast<int>(std::clamp(steps, 1., 50.)));
+  forecast.seconds["advection"] = steps * write;
+}
