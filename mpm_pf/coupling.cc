@@ -127,23 +127,47 @@ void move_solid(World &w, const double dt)
   w.melt_moves = true;
 }
 
+namespace
+{
+  /// Where the velocity is the displacement over a whole coupling step, material that is squeezed
+  /// out ahead of a fast wall may cross more cells than a scheme can carry at once.
+  long carrying_steps(const World &w, const double dt)
+  {
+    if (!w.extension)
+      return 1; // an imposed motion is cut as the scene asks
+    const auto scheme = w.advection->scheme();
+    const double shift = dt * medium::crossing_rate(*w.velocity, *w.mesh);
+    const double allowed = 0.9 * medium::largest_shift(scheme);
+    // A motion that cannot be meant is left for advect() to refuse.
+    constexpr double most = 64.;
+    return shift > allowed && shift < most * allowed ? std::lround(std::ceil(shift / allowed)) : 1;
+  }
+
+  void carry_once(World &w, const double dt)
+  {
+    if (w.phase)
+      w.advection->advect(w.phase->value, w.phase->gradients, *w.velocity, dt); // Eq. (1)
+    if (w.heat)
+      w.advection->advect(w.heat->value, w.heat->gradients, *w.velocity, dt); // Eq. (2)
+    if (w.orientation && w.scene->orientation->turning)
+    {
+      melt::let_vary(*w.orientation, *w.mesh);
+      melt::turn(*w.orientation, *w.velocity, dt, *w.mesh, *w.advection); // Eq. (3)
+    }
+  }
+} // namespace
+
 void carry(World &w, const double dt)
 {
   const Stopwatch watch(w, "advection");
-  if (w.phase)
-    w.advection->advect(w.phase->value, w.phase->gradients, *w.velocity, dt); // Eq. (1)
-  if (w.heat)
-    w.advection->advect(w.heat->value, w.heat->gradients, *w.velocity, dt); // Eq. (2)
-  if (w.orientation && w.scene->orientation->turning)
+  const long steps = carrying_steps(w, dt);
+  for (long k = 0; k < steps; ++k)
+    carry_once(w, dt / static_cast<double>(steps));
+  if (w.extension && w.orientation && w.scene->orientation->turning)
   {
-    melt::let_vary(*w.orientation, *w.mesh);
-    melt::turn(*w.orientation, *w.velocity, dt, *w.mesh, *w.advection); // Eq. (3)
-    if (w.extension)
-    {
-      // By the distance that the velocity was extended with: new solid inherits the front's angle.
-      medium::extend_remembered(*w.extension, {&w.orientation->angle}, *w.mesh);
-      melt::refresh(*w.orientation, *w.mesh);
-    }
+    // By the distance that the velocity was extended with: new solid inherits the front's angle.
+    medium::extend_remembered(*w.extension, {&w.orientation->angle}, *w.mesh);
+    melt::refresh(*w.orientation, *w.mesh);
   }
 }
 

@@ -116,4 +116,3 @@ void foretell_crystal(World &world, const double triad, Forecast &forecast)
   if (world.solid)
     foretell_pressing(world, load, forecast);
 }
-} // namespace

@@ -86,13 +86,12 @@ namespace medium
           next(nx - 1, j) = last(nx - 1, j);
       }
     }
-
-    /// Longest shift along an axis, in cells, at which a scheme is stable on the diagonal.
-    double largest_shift(AdvectionScheme scheme)
-    {
-      return scheme == AdvectionScheme::cip_hermite ? 1. : 0.5;
-    }
   } // namespace
+
+  double largest_shift(const AdvectionScheme scheme)
+  {
+    return scheme == AdvectionScheme::cip_hermite ? 1. : 0.5;
+  }
 
   double crossing_rate(const Velocity &velocity, const Mesh &mesh)
   {

@@ -55,6 +55,10 @@ namespace medium
     Field<double> new_f, new_x, new_y, new_xy; // scratch
   };
 
+  /// Longest shift along an axis, in cells, at which a scheme is stable on the diagonal: the limit
+  /// of advect().
+  double largest_shift(scene::AdvectionScheme);
+
   /// Largest of |u|/dx and |v|/dy over the mesh, 1/time: 1/this is the time to cross a cell.
   double crossing_rate(const Velocity &, const Mesh &);
 } // namespace medium

@@ -49,24 +49,25 @@ namespace scene
     /// What one level asks for, free of any scene's scale.
     struct Level
     {
-      double spacing_of_growth;     // dx/W0 where a crystal grows
-      double spacing_of_marker;     // dx/W where a passive phi is only carried
-      double cells_across_thinnest; // of a solid alone
-      int points_per_cell;          // in each direction
-      double mach;                  // of a solid that is driven, not thrown
-      const char *precision;        // of growth
-      const char *advection;        // scheme
-      double advection_step;        // cells that the motion may cross per step and axis
-      int degree;                   // of the finite elements
-      int load_steps;               // of the finite elements
+      double spacing_of_growth; // dx/W0 where a crystal grows
+      double spacing_of_marker; // dx/W where a passive phi is only carried
+      double cells_of_elastic;  // across the thinnest body of a solid alone
+      double cells_of_plastic;  // the same where it yields: shear bands want more
+      int points_per_cell;      // in each direction
+      double mach;              // of a solid that is driven, not thrown
+      const char *precision;    // of growth
+      const char *advection;    // scheme
+      double advection_step;    // cells that the motion may cross per step and axis
+      int degree;               // of the finite elements
+      int load_steps;           // of the finite elements
       double elements_across_thinnest;
     };
 
     const Level &level_of(const Accuracy accuracy)
     {
-      static const Level draft{0.8, 0.67, 5., 2, 1e-2, "float", "cip_hermite", 0.4, 2, 25, 2.},
-          standard{0.6, 0.5, 10., 2, 5e-3, "float", "cip_hermite", 0.4, 2, 50, 4.},
-          fine{0.4, 0.25, 20., 3, 2e-3, "double", "cip_hermite", 0.4, 2, 200, 10.};
+      static const Level draft{0.8, 0.67, 2., 10., 2, 5e-3, "float", "cip_hermite", 0.4, 2, 50, 2.},
+          standard{0.6, 0.5, 4., 20., 2, 2e-3, "float", "cip_hermite", 0.4, 2, 50, 5.},
+          fine{0.4, 0.25, 8., 40., 2, 1e-3, "float", "cip_hermite", 0.4, 2, 100, 10.};
       return accuracy == Accuracy::draft ? draft : accuracy == Accuracy::fine ? fine : standard;
     }
 
@@ -124,7 +125,10 @@ namespace scene
       if (s.phase_field)
         return s.phase_field->width *
                (s.growth ? level.spacing_of_growth : level.spacing_of_marker);
-      return s.solid && !s.bodies.empty() ? thinnest(s.bodies) / level.cells_across_thinnest : 0.;
+      if (!s.solid || s.bodies.empty())
+        return 0.;
+      return thinnest(s.bodies) /
+             (s.solid->yield_stress ? level.cells_of_plastic : level.cells_of_elastic);
     }
 
     std::array<int, 2> cells_of_domain(const Scene &s, const Level &level)
