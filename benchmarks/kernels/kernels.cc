@@ -66,8 +66,8 @@ namespace kernels
           });
     }
 
-    /// The report as JSON; `failed` is set where a kernel misses its goal.
-    std::string as_json(const Best &best, bool &failed)
+    /// The report as JSON; `worst` becomes the largest of all kernels' triads over their limit.
+    std::string as_json(const Best &best, double &worst)
     {
       const double triad = best.seconds_of.at("triad") / triad_nodes;
       std::ostringstream text;
@@ -78,7 +78,7 @@ namespace kernels
         const Goal &goal = goals().at(name);
         const double item = seconds / goal.items, triads = item / triad;
         const bool met = triads <= goal.triads;
-        failed = failed || !met;
+        worst = std::max(worst, triads / goal.triads);
         text << comma << "    {\"name\": \"" << name << "\", \"ns_per_item\": " << item * 1e9
              << ", \"triads\": " << triads << ", \"limit\": " << goal.triads
              << ", \"stretch\": " << goal.stretch << ", \"status\": \"" << (met ? "pass" : "fail")
@@ -87,6 +87,22 @@ namespace kernels
       }
       text << "\n  ]\n}\n";
       return text.str();
+    }
+
+    /// Takes `--slack=F` out of the arguments; 1 without it.
+    double take_slack(std::vector<char *> &arguments)
+    {
+      const std::string name = "--slack=";
+      double slack = 1.;
+      for (auto it = arguments.begin(); it != arguments.end();)
+        if (const std::string text = *it; text.rfind(name, 0) == 0)
+        {
+          slack = std::stod(text.substr(name.size()));
+          it = arguments.erase(it);
+        }
+        else
+          ++it;
+      return slack;
     }
   } // namespace
 
@@ -119,12 +135,15 @@ namespace kernels
   }
 } // namespace kernels
 
-/// kernels [FILE.json] [--benchmark_...]: prints the report, writes it to FILE, and ends with 1
-/// where a kernel needs more triads than its limit.
+/// kernels [FILE.json] [--slack=F] [--benchmark_...]: prints the report, writes it to FILE, and
+/// ends with 1 where a kernel needs more triads than F times its limit (F = 1 without --slack).
+/// Where cores are shared a neighbour slows what computes more than what waits for memory, so that
+/// ratios rise by up to a half: a gate there needs slack, a claim does not get any.
 int main(int argc, char **argv)
 {
   omp_set_num_threads(1);
   std::vector<char *> arguments(argv, argv + argc);
+  const double slack = kernels::take_slack(arguments);
   std::string repetitions = "--benchmark_repetitions=7",
               shuffle = "--benchmark_enable_random_interleaving=true",
               shortest = "--benchmark_min_time=0.1";
@@ -144,10 +163,10 @@ int main(int argc, char **argv)
     std::fputs("kernels: the triad was filtered out, so there is no unit\n", stderr);
     return 2;
   }
-  bool failed = false;
-  const std::string report = kernels::as_json(best, failed);
+  double worst = 0.;
+  const std::string report = kernels::as_json(best, worst);
   std::fputs(report.c_str(), stdout);
   if (count > 1)
     std::ofstream(arguments[1]) << report;
-  return failed ? 1 : 0;
+  return worst > slack ? 1 : 0;
 }

@@ -58,7 +58,7 @@ def figure16(results):
     right.axhline(1.0, color=style.GREY, lw=0.7, ls=":")
     left.set(xlabel=r"$t/\tau_0$", ylabel=r"tip velocity  $V\tau_0/W_0$")
     right.set(xlabel=r"$t/\tau_0$", ylabel="deviation from dx, dt $\\to$ 0 (%)", yscale="log", ylim=(0.02, 60))
-    left.legend(loc="upper right", fontsize=7)
+    left.legend(loc="upper center", fontsize=6.5)
     right.legend(loc="upper left", fontsize=6.5)
     panels.lettered((left, right))
     return figure, curves
