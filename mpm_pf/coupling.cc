@@ -28,7 +28,7 @@ namespace
 
   bool pressed_upon(const World &w)
   {
-    return w.walls &&
+    return !w.walls ||
            std::any_of(w.walls->walls.begin(), w.walls->walls.end(),
                        [](const medium::Wall &wall) { return wall.touched.has_value(); });
   }
@@ -84,6 +84,14 @@ namespace
     if (w.orientation && w.orientation->varying())
       melt::refresh(*w.orientation, *w.mesh);
   }
+
+  void sweep(World &w, const double dt)
+  {
+    const long steps = std::max(1L, std::lround(std::ceil(dt / growth_step(w) * (1. - 1e-9))));
+    w.growth->advance({w.phase ? &w.phase->value : nullptr, w.heat ? &w.heat->value : nullptr,
+                       w.orientation.get(), w.noise.get(), w.walls ? &w.walls->cuts : nullptr},
+                      dt / static_cast<double>(steps), steps);
+  }
 } // namespace
 
 bool coupled(const World &w)
@@ -94,7 +102,10 @@ bool coupled(const World &w)
 void move_walls(World &w, const double dt)
 {
   const Stopwatch watch(w, "walls");
-  medium::watch(*w.walls, w.phase->value, *w.mesh, w.time);
+  if (w.phase)
+    medium::watch(*w.walls, w.phase->value, *w.mesh, w.time);
+  else
+    medium::watch(*w.walls, w.time);
   medium::move(*w.walls, w.time, dt, *w.mesh); // Sec. 3, cut cells [28,29]
 }
 
@@ -102,22 +113,30 @@ void impose(World &w, const double dt)
 {
   const Stopwatch watch(w, "imposed motion");
   w.imposed->write(w.time + dt / 2, *w.mesh, *w.velocity);
+  if (w.walls)
+    medium::fill_behind(*w.velocity, *w.walls, *w.mesh);
   w.melt_moves = w.imposed->crossing_rate() > 0.;
+}
+
+void wake_solid(World &w)
+{
+  if (grows_its_points(w) && !solid::active(*w.solid) && pressed_upon(w))
+    solid::activate(*w.solid, crystal(w), w.time);
 }
 
 void move_solid(World &w, const double dt)
 {
+  wake_solid(w);
   if (grows_its_points(w) && !solid::active(*w.solid))
-  {
-    if (!pressed_upon(w))
-      return;
-    solid::activate(*w.solid, crystal(w), w.time);
-  }
-  const Stopwatch watch(w, "solid and its extension");
+    return;
   if (w.walls)
     solid::follow_walls(*w.solid, motions(*w.walls), dt);
   solid::NodalVelocity mean;
-  solid::advance(*w.solid, dt, &mean);
+  {
+    const Stopwatch watch(w, "solid");
+    solid::advance(*w.solid, dt, &mean);
+  }
+  const Stopwatch watch(w, "extension");
   const double full_mass =
       solid::numbers(*w.solid).at("density") * w.mesh->spacing[0] * w.mesh->spacing[1];
   const auto material = spread(mean, full_mass, *w.mesh, *w.velocity);
@@ -125,6 +144,14 @@ void move_solid(World &w, const double dt)
                                      material, *w.mesh);
   fill_velocity_ghosts(w);
   w.melt_moves = true;
+}
+
+void move_solid_alone(World &w, const double dt)
+{
+  if (w.walls)
+    solid::follow_walls(*w.solid, motions(*w.walls), dt);
+  const Stopwatch watch(w, "solid");
+  solid::advance(*w.solid, dt);
 }
 
 namespace
@@ -169,21 +196,28 @@ void carry(World &w, const double dt)
     medium::extend_remembered(*w.extension, {&w.orientation->angle}, *w.mesh);
     melt::refresh(*w.orientation, *w.mesh);
   }
+  if (w.walls && !w.growth)
+    settle(w);
 }
 
 void grow(World &w, const double dt)
 {
-  const Stopwatch watch(w, w.scene->growth ? "growth" : "heat");
   if (w.walls)
     settle(w);
   if (grows_its_points(w))
+  {
+    const Stopwatch watch(w, "seeding");
     solid::before_growth(*w.solid, crystal(w));
-  const long steps = std::max(1L, std::lround(std::ceil(dt / growth_step(w) * (1. - 1e-9))));
-  w.growth->advance({w.phase ? &w.phase->value : nullptr, w.heat ? &w.heat->value : nullptr,
-                     w.orientation.get(), w.noise.get(), w.walls ? &w.walls->cuts : nullptr},
-                    dt / static_cast<double>(steps), steps);
+  }
+  {
+    const Stopwatch watch(w, w.scene->growth ? "growth" : "heat");
+    sweep(w, dt);
+  }
   if (w.walls && w.phase)
     medium::fill_behind(w.phase->value, w.walls->cuts, *w.mesh);
   if (grows_its_points(w))
+  {
+    const Stopwatch watch(w, "seeding");
     solid::seed_new_points(*w.solid, crystal(w));
+  }
 }

@@ -13,10 +13,17 @@ void move_walls(World &, double dt);
 /// The velocity of an imposed motion, at the middle of dt, to every node.
 void impose(World &, double dt);
 
+/// A growing solid that has nothing to wait for gets its points: once a wall touches it, or at once
+/// where there are no walls. Else it moves nowhere, and no point exists.
+void wake_solid(World &);
+
 /// Advance the solid by dt (Eqs. (4)-(6)) and give every node of the mesh its velocity: the mean
 /// over dt (free of elastic ringing) where there is material, its zero-gradient extension elsewhere
 /// [13]-[15]. A solid that nothing has touched yet has no points and no velocity.
 void move_solid(World &, double dt);
+
+/// Advance a solid beside which nothing is carried.
+void move_solid_alone(World &, double dt);
 
 /// v . grad of Eqs. (1)-(3): everything that the melt carries follows the velocity over dt; then
 /// the fields end at the walls again.

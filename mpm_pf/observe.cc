@@ -4,6 +4,7 @@
 #include <iterator>
 #include <limits>
 
+#include "inertia.h"
 #include "melt_history.h"
 #include "melt_samples.h"
 #include "scene/keys.h"
@@ -93,16 +94,10 @@ namespace
       row.add(column_name(solid::wall_name(wall.side)) + "_position", length, wall.position);
     if (!world.solid)
       return;
-    const auto &wall = world.walls->walls.front();
-    const double arm = world.scene->domain.size[wall.axis()] / 2 *
-                       (world.mesh->side(scene::Edge::bottom) == scene::Boundary::symmetry &&
-                                world.walls->walls.size() == 1
-                            ? 2
-                            : 1);
-    const auto number = solid::quasi_static(*world.solid, arm, wall.asked.speed);
-    row.add("inertia_travel", length, number.inertia_travel);
-    row.add("inertia_compression", "1", number.inertia_travel / arm);
-    row.add("force_imbalance", "1", number.force_imbalance);
+    const Inertia now = inertia(world);
+    row.add("inertia_travel", length, now.numbers.inertia_travel);
+    row.add("inertia_compression", "1", now.compression());
+    row.add("force_imbalance", "1", now.numbers.force_imbalance);
   }
 
   record::Snapshot grid_snapshot(const World &world)
@@ -118,6 +113,11 @@ namespace
       snapshot.fields["theta"] = nodes_of(world.heat->value, world);
     if (world.orientation && world.orientation->varying())
       snapshot.fields["crystal_angle"] = nodes_of(world.orientation->angle, world);
+    if (world.melt_moves)
+    {
+      snapshot.fields["velocity_x"] = nodes_of(world.velocity->x, world);
+      snapshot.fields["velocity_y"] = nodes_of(world.velocity->y, world);
+    }
     return snapshot;
   }
 } // namespace

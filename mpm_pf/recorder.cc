@@ -167,6 +167,8 @@ void Recorder::observe_reaction(ReactionWatch &watch, const World &world)
 
 void Recorder::save(record::Checkpoint &checkpoint) const
 {
+  for (const auto &watch : watches)
+    checkpoint.put("recorder/" + watch.probe->name + "/next", static_cast<double>(watch.next));
   for (const auto &reaction : reactions)
     checkpoint.put("recorder/" + reaction.name, reaction.window.state());
   for (const auto &[name, track] : tracks)
@@ -185,8 +187,8 @@ void Recorder::restore(const record::Checkpoint &checkpoint, const double time)
   };
   for (auto &watch : watches)
   {
-    watch.next = passed(watch.times);
     const std::string key = "recorder/" + watch.probe->name;
+    watch.next = static_cast<std::size_t>(checkpoint.number(key + "/next"));
     if (checkpoint.has(key + "/time"))
       tracks[watch.probe->name] = {checkpoint.get<double>(key + "/time"),
                                    checkpoint.get<double>(key + "/position")};

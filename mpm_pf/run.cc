@@ -7,6 +7,7 @@
 #include <omp.h>
 
 #include "accounts.h"
+#include "inertia.h"
 #include "medium/trouble.h"
 #include "plan.h"
 #include "record/checkpoint.h"
@@ -143,6 +144,11 @@ namespace
     {
       std::cerr << "mpm_pf: " << recorder->warning() << '\n';
       writer->attribute("warning", recorder->warning());
+    }
+    if (const std::string verdict = verdict_on_inertia(world); !verdict.empty())
+    {
+      std::cerr << "mpm_pf: " << verdict << '\n';
+      writer->attribute("inertia", verdict);
     }
     writer->finish(profile());
     std::error_code none;

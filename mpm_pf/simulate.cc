@@ -14,7 +14,7 @@ void step(World &w, const double dt)
   if (w.solid && coupled(w))
     move_solid(w, dt); // Eqs. (4)-(6), and the extension of v into the melt [13]-[15]
   else if (w.solid)
-    solid::advance(*w.solid, dt);
+    move_solid_alone(w, dt); // Eqs. (4)-(6)
 
   if (w.melt_moves)
     carry(w, dt); // v . grad of Eqs. (1)-(3), CIP [18]
@@ -28,7 +28,10 @@ bool simulate(World &world, Recorder &recorder, const std::function<bool(const W
 {
   const double end = world.scene->clock.end;
   if (world.steps == 0)
+  {
+    wake_solid(world);
     recorder.observe(world);
+  }
   while (!finished(world))
   {
     const double event = std::min(recorder.next_event(world.time), end);

@@ -124,7 +124,7 @@ World build_world(const scene::Scene &scene, const int threads, const bool force
   World world;
   world.scene = &scene;
   world.threads = threads;
-  if (scene.phase_field || scene.heat)
+  if (scene.phase_field || scene.heat || !scene.walls.empty())
     world.mesh = std::make_unique<Mesh>(medium::make_mesh(scene.domain));
   if (scene.phase_field)
   {
@@ -155,11 +155,16 @@ World build_world(const scene::Scene &scene, const int threads, const bool force
 
 bool finished(const World &world)
 {
+  const auto moves = [](const medium::Wall &wall) { return wall.asked.travel > 0.; };
   const auto travelled = [](const medium::Wall &wall)
   { return wall.travel >= wall.asked.travel * (1. - 1e-12); };
-  return world.time >= world.scene->clock.end * (1. - 1e-12) ||
-         (world.walls &&
-          std::all_of(world.walls->walls.begin(), world.walls->walls.end(), travelled));
+  if (world.time >= world.scene->clock.end * (1. - 1e-12))
+    return true;
+  if (!world.walls)
+    return false;
+  const auto &walls = world.walls->walls;
+  return std::any_of(walls.begin(), walls.end(), moves) &&
+         std::all_of(walls.begin(), walls.end(), travelled);
 }
 
 double growth_step(const World &world)
@@ -184,8 +189,9 @@ double coupling_step(const World &world)
   if (world.solid && !world.extension)
     step = std::min(step, substeps_between_looks * solid::stable_step(*world.solid));
   if (world.growth)
-    step = std::min(step, (world.walls ? substeps_between_couplings : substeps_between_looks) *
-                              growth_step(world));
+    step = std::min(
+        step, (world.walls || world.solid ? substeps_between_couplings : substeps_between_looks) *
+                  growth_step(world));
   if (world.imposed && world.imposed->crossing_rate() > 0.)
     step = std::min(step, fraction / world.imposed->crossing_rate());
   if (world.walls)

@@ -57,7 +57,7 @@ struct World
 World build_world(const scene::Scene &scene, int threads, bool force = false);
 
 /// Whether the run is over: the scene's end, or all walls have travelled as far as they were asked
-/// to.
+/// to (walls that only stand there do not end it).
 bool finished(const World &);
 
 /// Largest step that every present module accepts as one coupling step; infinity if none minds.

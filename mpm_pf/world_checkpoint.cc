@@ -66,6 +66,10 @@ void save(const World &world, record::Checkpoint &checkpoint)
                  { put(checkpoint, name, field); });
   if (world.growth)
     checkpoint.put("growth steps", static_cast<double>(world.growth->steps_taken()));
+  if (world.walls)
+    checkpoint.put("walls", medium::pack(*world.walls));
+  if (world.extension)
+    checkpoint.put("extension", medium::pack(*world.extension, *world.mesh));
   if (world.solid)
     for (auto &[name, values] : solid::checkpoint(*world.solid))
       checkpoint.put("solid/" + name, values);
@@ -77,9 +81,15 @@ void restore(World &world, const record::Checkpoint &checkpoint)
                  { get(checkpoint, name, *world.mesh, field); });
   if (world.growth)
     world.growth->restore_steps_taken(static_cast<long>(checkpoint.number("growth steps")));
+  if (world.walls)
+    medium::unpack(*world.walls, checkpoint.get<double>("walls"));
+  if (world.extension)
+    medium::unpack(*world.extension, *world.mesh, checkpoint.get<double>("extension"));
   if (world.solid)
   {
     solid::Checkpoint state = solid::checkpoint(*world.solid);
+    if (checkpoint.has("solid/growth")) // the points of a crystal, which a fresh world has not yet
+      state["growth"];
     for (auto &[name, values] : state)
       values = checkpoint.get<double>("solid/" + name);
     solid::restore(*world.solid, state);

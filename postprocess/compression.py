@@ -80,6 +80,11 @@ def image_of(run, field, time):
     return x, y, values
 
 
+def verdict(run):
+    """What the run says about its own inertia and resolution, to be read beside its figures."""
+    return "\n".join(filter(None, (run.text("inertia"), run.text("warning"))))
+
+
 def field_table(run, compressions):
     """Figs. 12 and 13: phi, von Mises stress, plastic strain and crystal angle, a row per compression."""
     times = {f"{100 * c:g} %": time_of(run, c) for c in compressions}
@@ -111,6 +116,8 @@ def field_table(run, compressions):
         return drawn
 
     panels.field_table(figure, axes, list(times), FIELDS, draw)
+    if verdict(run):
+        figure.supxlabel(verdict(run), fontsize=6.5)
     curves = []
     for (row, field), (x, y, values) in images.items():
         if field == "phi":

@@ -104,6 +104,10 @@ class Record:
                 return float(group.attrs[name])
         return float("nan")
 
+    def text(self, name):
+        """A text that the run wrote about itself, as "inertia" or "warning"; empty if it wrote none."""
+        return str(self.file.attrs.get(name, ""))
+
     def names(self, kind):
         """Probes of `kind`: "tables", "lines", "outlines" or "snapshots"."""
         return list(self.file.get(kind, {}))

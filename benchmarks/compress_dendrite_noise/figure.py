@@ -33,6 +33,7 @@ def figure14(results):
         one.set(xlim=middle[0] + np.array([-reach, reach]), ylim=middle[1] + np.array([-reach, reach]))
         panels.plain(one)
         panels.colour_bar(figure, drawn, one, style.NAMES[field], location="bottom")
+    figure.supxlabel(compression.verdict(run), fontsize=6.5)
     for segment in lines.allsegs[0]:
         curves.append(panels.Curve("close-up at 10 %", "phi = 0", segment[:, 0], segment[:, 1]))
     return figure, curves
@@ -54,6 +55,7 @@ def figure15(results):
         one.set(aspect="equal", xticks=[], yticks=[])
         one.set_title(panel, fontsize=9)
     axes[0].legend(loc="lower right", fontsize=7)
+    figure.supxlabel(compression.verdict(run), fontsize=6.5)
     return figure, curves
 
 

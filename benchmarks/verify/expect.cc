@@ -14,11 +14,21 @@ namespace verify
 {
   namespace fs = std::filesystem;
 
-  const std::array<const char *, 14> norms{
-      "relative",      "absolute", "relative_max",         "max",
-      "relative_rms",  "rms",      "relative_l2",          "l2",
-      "relative_mean", "mean",     "symmetric_difference", "relative_symmetric_difference",
-      "hausdorff",     "value"};
+  const std::array<const char *, 15> norms{"relative",
+                                           "absolute",
+                                           "relative_max",
+                                           "max",
+                                           "relative_rms",
+                                           "rms",
+                                           "relative_l2",
+                                           "l2",
+                                           "relative_mean",
+                                           "mean",
+                                           "symmetric_difference",
+                                           "relative_symmetric_difference",
+                                           "hausdorff",
+                                           "rms_distance",
+                                           "value"};
 
   const Run *Case::find_run(const std::string &wanted) const
   {

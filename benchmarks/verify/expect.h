@@ -41,11 +41,13 @@ namespace verify
     std::vector<std::array<std::string, 2>> probes; // prefix ("" for one table) and name
     std::string of, abscissa, reduce;
     std::string at;                   // expression, "end", or "" (a whole history)
+    std::string nth;                  // which recording of a line, outline or snapshot, from 1
     std::vector<std::string> between; // none or two expressions
     bool along_abscissa = false;      // `between` is of the abscissa, not of time
     std::string side, x, y;           // of an outline's side position, extreme
-    std::string rotate;           // degrees by which an outline is turned about the origin first
-    std::vector<std::string> box; // none or four expressions: x0 y0 x1 y1
+    std::string rotate;             // degrees by which an outline is turned about the origin first
+    std::vector<std::string> shift; // none or two expressions: what an outline is moved by, turned
+    std::vector<std::string> box;   // none or four expressions: x0 y0 x1 y1
     std::vector<std::string> with_names;
     std::vector<Take> with;
   };
@@ -96,7 +98,7 @@ namespace verify
   std::string scene_stem(const std::string &suite);
 
   /// Names of the norms.
-  extern const std::array<const char *, 14> norms;
+  extern const std::array<const char *, 15> norms;
 
   /// Reads <folder>/expect.toml for one suite. Throws BadInput with every error of the file.
   Case read_case(const std::string &folder, const std::string &suite);

@@ -84,11 +84,12 @@ namespace verify
 
     void check_norm(Section &section, const Check &check)
     {
-      const bool of_outlines =
-          check.norm == "hausdorff" || check.norm.find("symmetric_difference") != std::string::npos;
+      const bool of_outlines = check.norm == "hausdorff" || check.norm == "rms_distance" ||
+                               check.norm.find("symmetric_difference") != std::string::npos;
       if (of_outlines != gives_outline(check.take))
         section.complain("norm", of_outlines ? "this norm compares outlines"
-                                             : "outlines need symmetric_difference or hausdorff");
+                                             : "outlines need symmetric_difference, hausdorff or "
+                                               "rms_distance");
       if ((check.norm == "value") != (check.against.kind == Against::Kind::nothing))
         section.complain("norm", "`value` stands without `against`, every other norm with it");
     }
@@ -153,6 +154,7 @@ namespace verify
     take.abscissa = section.text("abscissa", take.abscissa);
     take.reduce = section.text("reduce", take.reduce);
     take.at = section.expression("at").value_or(take.at);
+    take.nth = section.expression("nth").value_or(take.nth);
     take.side = section.text("side", take.side);
     take.x = section.expression("x").value_or(take.x);
     take.y = section.expression("y").value_or(take.y);
@@ -167,6 +169,8 @@ namespace verify
       take.along_abscissa = true;
     }
     take.rotate = section.expression("rotate").value_or(take.rotate);
+    if (section.has("shift"))
+      take.shift = section.expressions("shift");
     if (section.has("box"))
       take.box = section.expressions("box");
     if (makes_value)

@@ -11,34 +11,6 @@
 
 namespace verify
 {
-  Records::Records(std::string f, std::map<std::string, std::string> u)
-      : folder(std::move(f)), unusable(std::move(u))
-  {
-  }
-
-  std::string Records::path(const std::string &run) const
-  {
-    return folder + "/" + run + ".h5";
-  }
-
-  const record::Reader &Records::open(const std::string &run)
-  {
-    if (const auto why = unusable.find(run); why != unusable.end())
-      throw MissingData(fmt::format("run `{}`: {}", run, why->second));
-    auto &reader = readers[run];
-    if (!reader)
-      try
-      {
-        reader = std::make_unique<record::Reader>(path(run));
-      }
-      catch (const std::runtime_error &error)
-      {
-        readers.erase(run);
-        throw MissingData(fmt::format("run `{}`: {}", run, error.what()));
-      }
-    return *reader;
-  }
-
   namespace
   {
     /// Index of the recorded time that the take wants, to 1e-3 of the recorded length.
@@ -47,6 +19,14 @@ namespace verify
     {
       if (times.empty())
         throw MissingData("nothing was recorded");
+      if (!take.nth.empty())
+      {
+        const double nth = evaluate(take.nth, constants);
+        if (nth < 1. || nth > static_cast<double>(times.size()))
+          throw MissingData(
+              fmt::format("recorded {} times; the {}th is asked for", times.size(), nth));
+        return static_cast<std::size_t>(nth) - 1;
+      }
       if (take.at.empty() || take.at == "end")
         return times.size() - 1;
       const double wanted = evaluate(take.at, constants);
@@ -116,6 +96,9 @@ namespace verify
       Outline outline = all.outlines.at(time_index(take, constants, all.time));
       if (!take.rotate.empty())
         outline = rotated(outline, evaluate(take.rotate, constants));
+      if (take.shift.size() == 2)
+        outline = shifted(outline,
+                          {evaluate(take.shift[0], constants), evaluate(take.shift[1], constants)});
       if (take.of.empty() || take.of == "polygon")
         return outline;
       if (take.of == "area")

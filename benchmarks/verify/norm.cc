@@ -64,7 +64,9 @@ namespace verify
 
     double outline_distance(const std::string &name, const Outline &a, const Outline &b)
     {
-      return name == "hausdorff" ? hausdorff(a, b) : symmetric_difference(a, b);
+      if (name == "hausdorff")
+        return hausdorff(a, b);
+      return name == "rms_distance" ? rms_distance(a, b) : symmetric_difference(a, b);
     }
 
     double raw_distance(const Norm &norm, const Quantity &a, const Quantity &b)

@@ -125,6 +125,15 @@ namespace verify
     return result;
   }
 
+  Outline shifted(const Outline &outline, const scene::Point &by)
+  {
+    Outline result = outline;
+    for (auto &line : result)
+      for (auto &p : line)
+        p += by;
+    return result;
+  }
+
   double reach(const Outline &outline)
   {
     refuse_empty(outline);
@@ -162,5 +171,21 @@ namespace verify
     refuse_empty(a);
     refuse_empty(b);
     return std::max(one_sided(a, b), one_sided(b, a));
+  }
+
+  double rms_distance(const Outline &a, const Outline &b)
+  {
+    refuse_empty(a);
+    refuse_empty(b);
+    double sum = 0.;
+    std::size_t count = 0;
+    const auto add = [&](const Outline &from, const Outline &to)
+    {
+      for (const auto &line : from)
+        for (const auto &p : line)
+          sum += std::pow(distance(p, to), 2), ++count;
+    };
+    add(a, b), add(b, a);
+    return std::sqrt(sum / static_cast<double>(count));
   }
 } // namespace verify

@@ -20,6 +20,9 @@ namespace verify
   /// The outline turned by `degrees` (counter-clockwise) about the origin.
   Outline rotated(const Outline &, double degrees);
 
+  /// The outline moved by `by`.
+  Outline shifted(const Outline &, const scene::Point &by);
+
   /// Largest distance of a vertex from the origin.
   double reach(const Outline &);
 
@@ -31,4 +34,7 @@ namespace verify
 
   /// Largest distance of a vertex of either to the other's edges.
   double hausdorff(const Outline &, const Outline &);
+
+  /// Root mean square of these distances, over the vertices of both.
+  double rms_distance(const Outline &, const Outline &);
 } // namespace verify

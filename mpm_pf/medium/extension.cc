@@ -167,6 +167,36 @@ namespace medium
     write(extension, fields, {Field<unsigned char>{}, 0., Approach::level}, mesh);
   }
 
+  std::vector<double> pack(const Extension &extension, const Mesh &mesh)
+  {
+    std::vector<double> state{static_cast<double>(extension.calls)};
+    if (extension.calls == 0)
+      return state;
+    for (int j = 0; j < mesh.nodes[1]; ++j)
+      state.insert(state.end(), extension.nearest_piece.row(j),
+                   extension.nearest_piece.row(j) + mesh.nodes[0]);
+    for (const Point &place : extension.drawn)
+      state.insert(state.end(), {place[0], place[1]});
+    return state;
+  }
+
+  void unpack(Extension &extension, const Mesh &mesh, const std::vector<double> &state)
+  {
+    extension.calls = static_cast<long>(state.at(0));
+    extension.drawn.clear();
+    if (extension.calls == 0)
+      return;
+    const std::size_t places = 1 + static_cast<std::size_t>(mesh.nodes[0]) * mesh.nodes[1];
+    if (state.size() < places || (state.size() - places) % 2 != 0)
+      throw std::runtime_error("the checkpoint's extension is that of another mesh");
+    auto next = state.begin() + 1;
+    for (int j = 0; j < mesh.nodes[1]; ++j)
+      for (int i = 0; i < mesh.nodes[0]; ++i)
+        extension.nearest_piece(i, j) = static_cast<int>(*next++);
+    for (; next != state.end(); next += 2)
+      extension.drawn.emplace_back(next[0], next[1]);
+  }
+
   template void extend_into_liquid(Extension &, const std::vector<Field<double> *> &,
                                    const Field<double> &, const Field<unsigned char> &,
                                    const Mesh &);

@@ -63,10 +63,9 @@ namespace medium
            extension.nearest_piece.bytes();
   }
 
-  /// Lets the next call draw the map beyond the band afresh: called where a checkpoint is written
-  /// or read, so that a resumed run has the same bits.
-  inline void renew(Extension &extension)
-  {
-    extension.calls = 0;
-  }
+  /// For a checkpoint: the map beyond the band, which is older than the present contour; and back
+  /// into an extension of the same mesh, which then goes on to the same bits. unpack throws
+  /// std::runtime_error if the numbers are of another mesh.
+  std::vector<double> pack(const Extension &, const Mesh &);
+  void unpack(Extension &, const Mesh &, const std::vector<double> &);
 } // namespace medium

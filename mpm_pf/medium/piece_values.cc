@@ -73,7 +73,7 @@ namespace medium
       // Spread of the nodes along their thinnest direction: 0.05 of a cell squared, say one row of
       // nodes with a single one beside it, is too little to tell a gradient.
       const double determinant = xx * yy - xy * xy, trace = xx + yy;
-      if (determinant < 0.05 * around.sum * trace)
+      if (!(determinant > 0.05 * around.sum * trace)) // a single node has neither
         return;
       around.inverse_xx = yy / determinant, around.inverse_yy = xx / determinant;
       around.inverse_xy = -xy / determinant;

@@ -20,21 +20,27 @@ namespace medium
                  : wall.place.file + ":" + std::to_string(wall.place.line) + ": ";
     }
 
-    /// Inward travel a time `t` after the start, without its limit.
-    double free_travel(const scene::Wall &wall, double t)
+    /// Inward travel a time `t` after a start from rest, without its limit.
+    double free_travel(double speed, double ramp, double t)
     {
       if (t <= 0.)
         return 0.;
-      if (t >= wall.ramp)
-        return wall.speed * (t - 0.5 * wall.ramp);
-      const double s = t / wall.ramp;
-      return wall.speed * wall.ramp * s * s * s * (1. - 0.5 * s);
+      if (t >= ramp)
+        return speed * (t - 0.5 * ramp);
+      const double s = t / ramp;
+      return speed * ramp * s * s * s * (1. - 0.5 * s);
     }
 
     double travel_at(const Wall &wall, double time)
     {
-      const double free = wall.started ? free_travel(wall.asked, time - *wall.started) : 0.;
-      return std::min(free, wall.asked.travel);
+      const scene::Wall &asked = wall.asked;
+      double free = 0.;
+      if (wall.touched && asked.contact_ramp)
+        free = wall.travel_at_touch +
+               free_travel(asked.speed, *asked.contact_ramp, time - *wall.touched);
+      else if (wall.started)
+        free = free_travel(asked.speed, asked.ramp, time - *wall.started);
+      return std::min(free, asked.travel);
     }
 
     /// From a wall to the opposite one, or to the opposite side of the domain.
@@ -134,13 +140,19 @@ namespace medium
     return std::nullopt;
   }
 
+  void watch(Walls &walls, double time)
+  {
+    for (Wall &wall : walls.walls)
+      if (!wall.started && wall.asked.start_time && time >= *wall.asked.start_time)
+        wall.started = wall.asked.start_time;
+  }
+
   void watch(Walls &walls, const Field<double> &phi, const Mesh &mesh, double time)
   {
+    watch(walls, time);
     for (Wall &wall : walls.walls)
     {
       const bool by_time = wall.start_distance < 0.;
-      if (by_time && !wall.started && wall.asked.start_time && time >= *wall.asked.start_time)
-        wall.started = wall.asked.start_time;
       if (wall.touched || (by_time && !wall.started))
         continue;
       const double reach = std::max(wall.start_distance, mesh.spacing[wall.axis()]);

@@ -6,7 +6,9 @@
 // smoothly, and compression counts from the first contact. Position is an exact integral of the
 // speed
 //   V s^2 (3 - 2 s), s = (t - start)/ramp < 1;   V afterwards;   0 once the travel is done,
-// so it does not depend on the steps taken.
+// so it does not depend on the steps taken. With a contact ramp the wall only approaches that way:
+// it stops at the first contact and starts once more from rest ("once the arms reach the walls, the
+// walls start to move"), so that the meeting is no blow.
 //
 // One coupling step, and why in this order: watch() looks at phi; move() gives walls their new
 // position and velocity, which is the velocity of the material on them, and the solid answers to
@@ -73,6 +75,9 @@ namespace medium
   /// Starts walls that the front has come near to (or whose time has come), and notes first
   /// contacts. phi: ghosts and lines behind walls filled.
   void watch(Walls &, const Field<double> &phi, const Mesh &, double time);
+
+  /// The same without a front: starts walls whose time has come.
+  void watch(Walls &, double time);
 
   /// Moves the walls from `time` to time + dt; sets their velocity to the mean over dt. Throws
   /// NumericalTrouble if a wall crosses more than half a cell at once.

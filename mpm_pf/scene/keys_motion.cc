@@ -20,6 +20,10 @@ namespace scene
           .add("ramp", &Wall::ramp, not_negative(Dimension::time),
                "Time over which the speed rises smoothly.",
                "none; at least 10 elastic transits keep waves small")
+          .add("contact_ramp", &Wall::contact_ramp, positive(Dimension::time),
+               "At first contact the wall stops and its speed rises once more, over this time.",
+               "absent: it goes on, and the contact is a blow of rho c V that no ramp before it "
+               "softens")
           .add("grip", &Wall::grip, any(), "Does the solid stick to it or slip along it?",
                "the paper's walls hold the arms")
           .exclusive({"start_distance", "start_time"})
@@ -42,8 +46,6 @@ namespace scene
           .add("step_fraction", &Advection::step_fraction, up_to(1.),
                "Cells that the motion may cross per step and axis.",
                "the paper's; accuracy hardly depends on it")
-          .add("interval", &Advection::interval, between(1, 1000),
-               "Advect only every so many coupling steps.", "slow walls allow 10 to 50")
           .add("analytic_gradients", &Advection::analytic_gradients, any(),
                "Start CIP's gradient fields from the exact profile.",
                "differences would spend the third order on the first step")

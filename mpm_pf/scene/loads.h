@@ -50,7 +50,8 @@ namespace scene
     double start_distance =
         8.; // gap to phi = 0 at which it starts (in W0); negative: starts at time `start_time`
     std::optional<double> start_time;
-    double ramp = 0.; // time over which the speed rises smoothly
+    double ramp = 0.;                   // time over which the speed rises smoothly
+    std::optional<double> contact_ramp; // once more, from rest, from the first contact on
     WallGrip grip = WallGrip::grip;
     Place place;
   };

@@ -73,7 +73,6 @@ namespace scene
   {
     AdvectionScheme scheme = AdvectionScheme::cip;
     double step_fraction = 0.2;
-    int interval = 1;
     bool analytic_gradients = true;
     Place place;
   };

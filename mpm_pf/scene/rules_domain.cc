@@ -29,7 +29,7 @@ namespace scene
           {"support", {"solid"}, "a support holds a solid"},
           {"traction", {"solid"}, "a traction pulls a solid"},
           {"body_force", {"solid"}, "a body force accelerates a solid"},
-          {"wall", {"solid"}, "a wall presses on a solid"},
+          {"wall", {"solid", "imposed"}, "a wall presses on a solid, or moves with the melt"},
           {"growth", {"phase_field"}, "growth is the right side of Eq. (1) for phi"},
           {"growth", {"heat"}, "growth is driven by theta, Eq. (2)"},
           {"orientation", {"phase_field"}, "the crystal angle lives in the bodies of phi"},

@@ -62,7 +62,15 @@ namespace solid
       debt.value = 0.;
     }
 
-    constexpr int melting_reach = 4; // cells in which points answer for a debt
+    // Cells in which points answer for a debt. Where nothing solid is left the debts of many cells
+    // have been gathered in one (ledger.cc), and its points may stand further away.
+    int melting_reach(const medium::CellValue &debt, const medium::CellAreas &areas,
+                      const Grid &grid)
+    {
+      const unsigned corners = areas.corners(static_cast<int>(debt.cell % grid.cells[0]),
+                                             static_cast<int>(debt.cell / grid.cells[0]));
+      return corners == 0u ? 12 : 4;
+    }
 
     using Buckets = std::unordered_map<long, std::vector<std::size_t>>;
 
@@ -110,7 +118,8 @@ namespace solid
       Buckets buckets;
       for (const medium::CellValue &debt : solid.growing->owed)
         if (melts(debt, areas, solid.grid))
-          for_square(cells, debt.cell, melting_reach, [&](const long cell) { buckets[cell]; });
+          for_square(cells, debt.cell, melting_reach(debt, areas, solid.grid),
+                     [&](const long cell) { buckets[cell]; });
       if (buckets.empty())
         return buckets;
       for (std::size_t p = 0; p < solid.points.active; ++p)
@@ -136,11 +145,12 @@ namespace solid
     // The points of the smallest square of cells around the debt that has any, outermost first.
     std::vector<Candidate> outermost(const Solid &solid, const medium::CellAreas &areas,
                                      const Buckets &buckets, const std::vector<char> &gone,
-                                     const long cell)
+                                     const medium::CellValue &debt)
     {
+      const int furthest = melting_reach(debt, areas, solid.grid);
       std::vector<Candidate> found;
-      for (int reach = 1; reach <= melting_reach && found.empty(); ++reach)
-        for_square(solid.grid.cells, cell, reach,
+      for (int reach = 1; reach <= furthest && found.empty(); ++reach)
+        for_square(solid.grid.cells, debt.cell, reach,
                    [&](const long near)
                    {
                      for (const std::size_t p : buckets.at(near))
@@ -164,7 +174,7 @@ namespace solid
       for (bool more = melts(debt, areas, solid.grid); more;)
       {
         more = false;
-        for (const Candidate &candidate : outermost(solid, areas, buckets, gone, debt.cell))
+        for (const Candidate &candidate : outermost(solid, areas, buckets, gone, debt))
         {
           const std::size_t p = candidate.point;
           const double area = solid.points.mass[p] / solid.material.density;

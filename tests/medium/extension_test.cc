@@ -100,6 +100,18 @@ namespace medium
     EXPECT_GT(std::log2(ratio), 0.6);
   }
 
+  TEST(Extension, KnowsTheValueOfASingleNodeButNoSlope)
+  {
+    Disc disc(40);
+    disc.material = Field<unsigned char>(disc.mesh);
+    disc.material(20, 28) = 1; // below the top of the disc, deep enough to be solid
+    const Field<double> field = disc.extended([](const Point &x) { return 1. + x[1]; });
+    const double there = 1. + disc.mesh.position(20, 28)[1];
+    for (int j = 0; j < disc.mesh.nodes[1]; ++j)
+      for (int i = 0; i < disc.mesh.nodes[0]; ++i)
+        ASSERT_NEAR(field(i, j), there, 1e-12) << i << ' ' << j;
+  }
+
   TEST(Extension, CarriesTheValueOfTheNearerDisc)
   {
     Disc disc(80);

@@ -148,6 +148,44 @@ namespace medium
     EXPECT_GT(0.5 * std::log2(error[0] / error[2]), 1.7);
   }
 
+  TEST(Walls, WithAContactRampStopAtTheFrontAndStartOnceMoreFromRest)
+  {
+    const Mesh mesh = tall_mesh(8, 100); // 40 high
+    scene::Wall asked;
+    asked.side = Edge::top, asked.speed = 0.5, asked.travel = 20., asked.ramp = 4.;
+    asked.contact_ramp = 8.;
+    Walls walls = make_walls({asked}, mesh);
+    Field<double> phi(mesh);
+    for (int j = 0; j < mesh.nodes[1]; ++j)
+      for (int i = 0; i < mesh.nodes[0]; ++i)
+        phi(i, j) = std::tanh((33. - 0.4 * j) / std::sqrt(2.));
+    const Wall &wall = walls.walls[0];
+    double fastest_before = 0., speed = 0.;
+    for (int step = 0; step < 2000 && wall.travel < asked.travel; ++step)
+    {
+      const bool touched_before = wall.touched.has_value();
+      fill_behind(phi, walls.cuts, mesh);
+      watch(walls, phi, mesh, 0.05 * step);
+      move(walls, 0.05 * step, 0.05, mesh);
+      settle(walls, mesh, {{&phi, nullptr, nullptr}});
+      if (!wall.touched)
+        fastest_before = std::max(fastest_before, -wall.velocity);
+      else if (!touched_before)
+      {
+        EXPECT_LT(-wall.velocity, 1e-4 * asked.speed) << "it starts from rest";
+      }
+      else
+      {
+        EXPECT_LE(std::abs(-wall.velocity - speed), 0.5 * 1.5 / 8. * 0.05 + 1e-9);
+      }
+      speed = -wall.velocity;
+    }
+    EXPECT_NEAR(fastest_before, asked.speed, 1e-12);
+    ASSERT_TRUE(wall.touched);
+    EXPECT_NEAR(wall.travel, asked.travel, 1e-12);
+    EXPECT_NEAR(wall.travel_at_touch, 7., 0.4);
+  }
+
   TEST(Walls, StartNearTheFrontRampUpAndNoteTheFirstContact)
   {
     const Mesh mesh = tall_mesh(8, 100); // 40 high

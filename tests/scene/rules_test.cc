@@ -140,7 +140,7 @@ reaction = "top"
              plus(seed, "[solid]\nyoung_modulus = 1\npoisson_ratio = 0\ndensity = 1\n"
                         "[imposed]\nvelocity = [0, 0]\n"),
              "[imposed]", "instead of a solid"},
-            {"advection_of_rest", plus(seed, "[advection]\ninterval = 2\n"), "[advection]",
+            {"advection_of_rest", plus(seed, "[advection]\nstep_fraction = 0.1\n"), "[advection]",
              "nothing is carried"},
             {"extension_without_solid", plus(seed, "[extension]\nband = 3\n"), "[extension]",
              "no use without [solid]"},

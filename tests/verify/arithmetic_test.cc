@@ -192,6 +192,9 @@ TEST(Outlines, HaveAreaSidesAndDistances)
   EXPECT_NEAR(side_position(moved, "top", 0.5), 1.0, 1e-14);
   EXPECT_NEAR(symmetric_difference(unit, moved), 0.2, 1e-12);
   EXPECT_NEAR(hausdorff(unit, moved), 0.1, 1e-12);
+  // Half of the vertices of each lie on the other's edges, the other half 0.1 away.
+  EXPECT_NEAR(rms_distance(unit, moved), std::sqrt(0.5) * 0.1, 1e-12);
+  EXPECT_NEAR(symmetric_difference(shifted(unit, {0.1, 0.}), moved), 0., 1e-12);
   EXPECT_THROW(side_position(unit, "left", 2.), MissingData);
   EXPECT_THROW(area({}), MissingData);
 }

@@ -1,0 +1,39 @@
+#include "inertia.h"
+
+#include <iomanip>
+#include <sstream>
+
+Inertia inertia(const World &world)
+{
+  const auto &wall = world.walls->walls.front();
+  const bool mirrored =
+      world.walls->walls.size() == 1 &&
+      world.mesh->side(wall.axis() == 0 ? scene::Edge::left : scene::Edge::bottom) ==
+          scene::Boundary::symmetry;
+  const double span = wall.touched ? wall.span_at_touch : world.scene->domain.size[wall.axis()];
+  Inertia found;
+  found.arm = mirrored ? span : span / 2.;
+  found.numbers = solid::quasi_static(*world.solid, found.arm, wall.asked.speed);
+  return found;
+}
+
+std::string verdict_on_inertia(const World &world)
+{
+  if (!world.solid || !world.walls)
+    return {};
+  const Inertia now = inertia(world);
+  const double alone = now.compression(), reached = medium::compression(*world.walls);
+  std::ostringstream text;
+  text << std::setprecision(2) << "inertia alone takes " << 100. * alone
+       << " % of compression to stop an arm; kinetic energy is "
+       << 100. * now.numbers.kinetic_to_internal << " % of the internal";
+  if (world.walls->walls.size() > 1)
+    text << "; opposite wall forces differ by " << 100. * now.numbers.force_imbalance << " %";
+  // Twice the travel of one yield stress: beyond it the arm has been brought to speed.
+  const bool still = now.numbers.kinetic_to_internal < 0.05;
+  if (still && 2. * alone < reached)
+    text << ": quasi-static beyond " << 200. * alone << " %";
+  else
+    text << ": not quasi-static";
+  return text.str();
+}

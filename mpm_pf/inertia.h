@@ -1,0 +1,23 @@
+// Is a compression quasi-static? Inertia alone can fake "plasticity near the walls" (paper, Sec.
+// 3): to stop or move an arm of length a by one yield stress takes a rho V^2/sigma_Y of a wall's
+// travel at speed V, whatever the material does.
+#pragma once
+
+#include <string>
+
+#include "solid/moving_walls.h"
+#include "world.h"
+
+struct Inertia
+{
+  double arm = 0.; // of the crystal before one wall, length
+  solid::QuasiStatic numbers;
+  /// Share of compression that inertia alone accounts for.
+  double compression() const { return arm > 0. ? numbers.inertia_travel / arm : 0.; }
+};
+
+/// Of a world with a solid between walls.
+Inertia inertia(const World &);
+
+/// The same in words, for the record and the figures; empty for a world without a solid and walls.
+std::string verdict_on_inertia(const World &);

@@ -1,0 +1,200 @@
+"""What Sec. 3 of the paper says about a compressed dendrite, sentence by sentence, against records.
+
+Each claim measures something in a record and says "seen" or "not seen"; where the paper's words are not met the
+text after "differs because" gives the reason that is known.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+import compression
+
+
+@dataclass
+class Claim:
+    """One sentence, what was found, and the numbers it rests on."""
+
+    sentence: str
+    found: str
+    measured: str
+
+
+def judge(sentence, seen, measured, because=""):
+    found = "seen" if seen else ("not seen" if not because else f"differs because {because}")
+    return Claim(sentence, found, measured)
+
+
+class Compressed:
+    """A compressed dendrite at one compression: its points and, on the grid, its crystal angle (degrees)."""
+
+    def __init__(self, run, share):
+        self.share = share
+        time = compression.time_of(run, share)
+        solid = compression.nearest_snapshot(run, "von_mises", time, "points")
+        lower = np.array(run.scene["domain"].get("origin", [0.0, 0.0]))
+        size = np.array(run.scene["domain"]["size"])
+        middle = lower if compression.is_quarter(run) else lower + size / 2
+        self.x, self.y = np.abs(solid.vertex - middle).T  # one quarter stands for all
+        self.von_mises, self.plastic = solid.fields["von_mises"], solid.fields["plastic_strain"]
+        melt = compression.nearest_snapshot(run, "phi", time, "grid")
+        self.gx, self.gy = np.meshgrid(melt.x - middle[0], melt.y - middle[1])
+        self.inside = melt.fields["phi"] > 0
+        angle = melt.fields.get("crystal_angle")
+        self.angle = np.zeros_like(self.gx) if angle is None else np.degrees(np.where(self.inside, angle, 0.0))
+        self.spacing = melt.x[1] - melt.x[0]
+        self.wall = self.y.max()
+
+    def where(self, condition, value):
+        """Mean of a point value where a condition holds; NaN where it never does."""
+        return float(value[condition].mean()) if condition.any() else float("nan")
+
+    def centre(self, radius):
+        return np.hypot(self.x, self.y) < radius
+
+    def plastic_depth(self, least=0.002):
+        """The smallest distance from the horizontal axis at which plastic strain exceeds `least`."""
+        flowed = self.plastic > least
+        return float(self.y[flowed].min()) if flowed.any() else float("nan")
+
+
+def near(mask, other, cells):
+    """The part of `mask` that lies within so many cells of `other`."""
+    grown = other.copy()
+    for _ in range(cells):
+        padded = np.pad(grown, 1)
+        grown = padded[1:-1, 1:-1] | padded[:-2, 1:-1] | padded[2:, 1:-1] | padded[1:-1, :-2] | padded[1:-1, 2:]
+    return mask & grown
+
+
+def on_grid(state, values, least):
+    """Nodes beside which some point has a value above `least`."""
+    mask = np.zeros_like(state.inside)
+    x0, y0 = state.gx[0, 0], state.gy[0, 0]
+    chosen = values > least
+    for sx in (1, -1):
+        for sy in (1, -1):
+            i = np.rint((sx * state.x[chosen] - x0) / state.spacing).astype(int)
+            j = np.rint((sy * state.y[chosen] - y0) / state.spacing).astype(int)
+            there = (i >= 0) & (j >= 0) & (i < mask.shape[1]) & (j < mask.shape[0])
+            mask[j[there], i[there]] = True
+    return mask
+
+
+def in_percent(values):
+    return ", ".join(f"{100 * v:.1f} %" for v in values)
+
+
+def listed(values, digits=3):
+    return ", ".join(f"{v:.{digits}g}" for v in values)
+
+
+def of_smooth_dendrite(run, free=None):
+    """The claims about Fig. 12 (contact, 5, 10, 15 % compression, no noise)."""
+    states = [Compressed(run, c) for c in (0.0, 0.05, 0.10, 0.15)]
+    contact, five, _, last = states
+    outer = [float(s.plastic[s.y > 0.5 * s.wall].sum() / max(s.plastic.sum(), 1e-30)) for s in states[1:]]
+    arm = five.y > 0.8 * five.wall
+    yields = five.where(arm, five.von_mises > 0.99)
+    reach = last.x.max()
+    side = last.x > 0.5 * reach
+    depth = [s.plastic_depth() for s in states[1:]]
+    centre = [s.where(s.centre(12.0), s.von_mises) for s in states[1:]]
+    layer = last.y > last.wall - 2.0
+    below = (last.y < last.wall - 5.0) & (last.y > last.wall - 15.0) & (last.x < last.x[layer].max())
+    in_layer, in_column = (last.where(m, last.von_mises < 0.99) for m in (layer, below))
+    turned = np.abs(last.angle) > 2.0
+    flowed = on_grid(last, last.plastic, 0.1)
+    beside = near(turned, flowed, int(round(2.0 / last.spacing))).sum() / max(turned.sum(), 1)
+    on_axis = np.abs(last.angle[:, np.argmin(np.abs(last.gx[0]))]).max()
+    claims = [
+        judge(
+            "the deformation for small compressive strains is limited to the vertical arms near the walls",
+            outer[0] > 0.95,
+            f"at 5 % {100 * outer[0]:.0f} % of the plastic strain lies in the outer half of the arms (10, 15 %: {in_percent(outer[1:])})",
+        ),
+        judge(
+            "in these portions the yield stress is reached",
+            yields > 0.3,
+            f"at 5 % {100 * yields:.0f} % of the outer fifth of the arm is above 0.99 sigma_Y",
+        ),
+        judge(
+            "the shape of the horizontal arms is unaffected",
+            last.plastic[side].max() < 1e-3,
+            f"largest plastic strain in their outer half {last.plastic[side].max():.1e}" + against_free(run, free),
+        ),
+        judge(
+            "with increasing compression the plastic regions extend further towards the centre",
+            depth[0] >= depth[1] >= depth[2] and depth[2] < depth[0],
+            f"plastic strain above 0.2 % down to y = {listed(depth)} W0 at 5, 10, 15 %",
+        ),
+        judge(
+            "the stresses in the centre continually increase",
+            centre[0] < centre[1] < centre[2],
+            f"von Mises stress within 12 W0 of the centre: {listed(centre)} sigma_Y at 5, 10, 15 %",
+        ),
+        judge(
+            "in the centre the yield stress is not reached at 15 %",
+            centre[2] < 0.99,
+            f"{centre[2]:.3f} sigma_Y there at 15 %",
+            "the contact with the wall has grown as wide as the arm, which then carries enough to load the core"
+            if centre[2] >= 0.99
+            else "",
+        ),
+        judge(
+            "a thin layer of solid directly adjacent to the walls stays below the yield stress",
+            in_layer > in_column,
+            f"{100 * in_layer:.0f} % of the layer of 2 W0 at the wall is below 0.99 sigma_Y, {100 * in_column:.0f} % of the column 5 to 15 W0 below it",
+        ),
+        judge(
+            "bending occurs primarily in a thin layer at the edges of the regions with large plastic deformations",
+            beside > 0.9 and turned.sum() < 0.2 * last.inside.sum(),
+            f"more than 2 degrees on {100 * turned.sum() / last.inside.sum():.1f} % of the solid; {100 * beside:.0f} % of it within 2 W0 of plastic strains above 10 %",
+        ),
+        judge(
+            "the centres of the vertical arms do not turn, by symmetry",
+            on_axis < 0.02 * np.abs(last.angle).max(),
+            f"at most {on_axis:.2g} degrees on the axis, {np.abs(last.angle).max():.0f} elsewhere",
+        ),
+    ]
+    return claims
+
+
+def against_free(run, free):
+    """How far the horizontal tip is from that of the same growth without compression."""
+    if free is None:
+        return ""
+    with_walls, without = run.table("tip"), free.table("tip")
+    end = min(with_walls.time[-1], without.time[-1])
+    tips = [float(np.interp(end, t.time, t["position"])) for t in (with_walls, without)]
+    return f"; tip at {tips[0]:.1f} W0, without compression at {tips[1]:.1f} W0"
+
+
+def draw(claims, pyplot, style, title):
+    """The claims as a table, so that they stand in the report beside their figure."""
+    wrapped = [[fold(c.sentence, 44), fold(c.found, 26), fold(c.measured, 60)] for c in claims]
+    lines = [max(cell.count("\n") + 1 for cell in row) for row in wrapped]
+    height = 0.155 * (sum(lines) + len(lines)) + 0.6
+    figure, axes = pyplot.subplots(figsize=(style.DOUBLE, height))
+    axes.set_axis_off()
+    table = axes.table(
+        [["the paper says", "found", "measured"], *wrapped],
+        colWidths=[0.34, 0.2, 0.46],
+        cellLoc="left",
+        bbox=[0, 0, 1, 1],
+        edges="horizontal",
+    )
+    table.auto_set_font_size(False)
+    table.set_fontsize(7.5)
+    total = sum(lines) + 2
+    for (row, _), cell in table.get_celld().items():
+        cell.set_height((lines[row - 1] + 0.6 if row else 1.5) / total)
+        cell.set_linewidth(0.4)
+    axes.set_title(title, fontsize=9, loc="left")
+    return figure
+
+
+def fold(text, width):
+    import textwrap
+
+    return "\n".join(textwrap.wrap(text, width))

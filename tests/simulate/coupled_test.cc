@@ -1,0 +1,113 @@
+// The coupled program as a whole: a seed that grows up to a wall and is pressed by it.
+#include <gtest/gtest.h>
+
+#include "accounts.h"
+#include "record/checkpoint.h"
+#include "scene/geometry.h"
+#include "simulate.h"
+#include "solid/growing.h"
+
+namespace
+{
+  /// A quarter of a seed below a wall that starts at once and touches it soon.
+  scene::Scene pressed_seed()
+  {
+    scene::Scene scene;
+    scene.units = scene::Units::w0_tau0_sigma_y;
+    scene.domain.size = {20., 16.}, scene.domain.cells = {25, 20};
+    scene.domain.boundary.fill(scene::Boundary::symmetry);
+    scene::Body seed;
+    seed.name = "seed", seed.shape = scene::Disc{{0., 0.}, 8.};
+    scene.bodies = {seed};
+    scene.phase_field = scene::PhaseField{};
+    scene.phase_field->width = 1.;
+    scene.growth = scene::Growth{};
+    scene.heat = scene::Heat{};
+    scene.heat->diffusivity = 3., scene.heat->undercooling = 0.55;
+    scene.orientation = scene::Orientation{};
+    scene.solid = scene::Solid{};
+    scene.solid->young_modulus = 1e4, scene.solid->poisson_ratio = 0.33;
+    scene.solid->density = 1., scene.solid->yield_stress = 1.;
+    scene.mpm = scene::Mpm{};
+    scene.mpm->mach = 1e-2;
+    scene::Wall wall;
+    wall.side = scene::Edge::top, wall.speed = 0.2, wall.travel = 9., wall.start_time = 0.;
+    wall.contact_ramp = 4.;
+    scene.walls = {wall};
+    scene.clock.end = 1000.;
+    return scene;
+  }
+
+  void go(World &world, const int steps)
+  {
+    for (int k = 0; k < steps && !finished(world); ++k)
+      step(world, coupling_step(world));
+  }
+
+  record::Checkpoint state_of(const World &world)
+  {
+    record::Checkpoint state;
+    save(world, state);
+    return state;
+  }
+} // namespace
+
+TEST(Coupled, NoPointExistsBeforeAWallTouches)
+{
+  const scene::Scene scene = pressed_seed();
+  World world = build_world(scene, 1);
+  while (!world.walls->walls[0].touched)
+  {
+    ASSERT_EQ(solid::points(*world.solid), 0);
+    ASSERT_EQ(memory(world).at("solid points"), 0.);
+    ASSERT_EQ(memory(world).at("advection"), 0.) << "nothing is carried before anything moves";
+    ASSERT_FALSE(world.melt_moves);
+    go(world, 1);
+  }
+  go(world, 2);
+  EXPECT_GT(solid::points(*world.solid), 100);
+  EXPECT_TRUE(world.melt_moves);
+}
+
+TEST(Coupled, GoesOnFromACheckpointToTheSameBits)
+{
+  const scene::Scene scene = pressed_seed();
+  for (const bool touched : {false, true})
+  {
+    World whole = build_world(scene, 1), resumed = build_world(scene, 1);
+    go(whole, 4);
+    while (touched && solid::points(*whole.solid) == 0)
+      go(whole, 1);
+    go(whole, 3);
+    ASSERT_EQ(touched, whole.walls->walls[0].touched.has_value());
+    restore(resumed, state_of(whole));
+    resumed.time = whole.time, resumed.steps = whole.steps;
+    go(whole, 25), go(resumed, 25);
+    ASSERT_EQ(whole.time, resumed.time);
+    EXPECT_EQ(medium::pack(*whole.walls), medium::pack(*resumed.walls));
+    EXPECT_EQ(solid::checkpoint(*whole.solid), solid::checkpoint(*resumed.solid));
+    for (int j = 0; j < whole.mesh->nodes[1]; ++j)
+      for (int i = 0; i < whole.mesh->nodes[0]; ++i)
+      {
+        ASSERT_EQ(whole.phase->value(i, j), resumed.phase->value(i, j)) << i << ' ' << j;
+        ASSERT_EQ(whole.heat->value(i, j), resumed.heat->value(i, j)) << i << ' ' << j;
+      }
+  }
+}
+
+TEST(Coupled, WithoutWallsTheCrystalHasItsPointsAtOnceAndStaysFreeOfStress)
+{
+  scene::Scene scene = pressed_seed();
+  scene.walls.clear();
+  scene.mpm->mach.reset();
+  scene.solid->density = 1e4;
+  World world = build_world(scene, 1);
+  go(world, 20);
+  const solid::Ledger ledger = solid::ledger(*world.solid);
+  EXPECT_GT(ledger.grown, 1.);
+  EXPECT_NEAR(ledger.imbalance(), 0., 1e-10 * ledger.phi);
+  const auto snapshot = solid::snapshot(*world.solid, {"von_mises", "pressure"});
+  for (const char *field : {"von_mises", "pressure"})
+    for (const double stress : snapshot.fields.at(field))
+      ASSERT_NEAR(stress, 0., 1e-9) << field;
+}
