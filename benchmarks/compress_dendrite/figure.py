@@ -2,8 +2,10 @@
 
 from matplotlib import patches, pyplot
 
+import claims
 import compression
 import panels
+import record
 import style
 
 
@@ -42,4 +44,15 @@ def figure12(results):
     return compression.field_table(run, (0.0, 0.05, 0.10, 0.15))
 
 
-FIGURES = {"fig11": figure11, "fig12": figure12}
+def claims12(results):
+    """What the paper says about Fig. 12, sentence by sentence, beside the figure."""
+    run = results.record("compress_dendrite", "mpm_pf")
+    try:
+        free = results.record("compress_dendrite", "free")
+    except record.Missing:
+        free = None
+    title = "Sec. 3 on Fig. 12, sentence by sentence"
+    return claims.draw(claims.of_smooth_dendrite(run, free), pyplot, style, title), []
+
+
+FIGURES = {"fig11": figure11, "fig12": figure12, "fig12_claims": claims12}

@@ -3,8 +3,11 @@
 import numpy as np
 from matplotlib import pyplot
 
+import claims
+import claims_slender
 import compression
 import panels
+import record
 import style
 
 FREE = "free"  # the same noise without compression
@@ -59,4 +62,15 @@ def figure15(results):
     return figure, curves
 
 
-FIGURES = {"fig13": figure13, "fig14": figure14, "fig15": figure15}
+def claims13(results):
+    """What the paper says about Figs. 13 to 15, sentence by sentence, beside the figures."""
+    run, free = results.records("compress_dendrite_noise", ["mpm_pf", FREE])
+    try:
+        smooth = results.record("compress_dendrite", "mpm_pf")
+    except record.Missing:
+        smooth = None
+    title = "Sec. 3 on Figs. 13 to 15, sentence by sentence"
+    return claims.draw(claims_slender.of_slender_dendrite(run, free, smooth), pyplot, style, title), []
+
+
+FIGURES = {"fig13": figure13, "fig14": figure14, "fig15": figure15, "fig15_claims": claims13}

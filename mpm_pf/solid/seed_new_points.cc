@@ -142,21 +142,29 @@ namespace solid
       }
     };
 
-    // The points of the smallest square of cells around the debt that has any, outermost first.
+    // Points that a fast front has left behind in the melt, wherever within reach; else those of the
+    // smallest square of cells around the debt that has any. Outermost first.
     std::vector<Candidate> outermost(const Solid &solid, const medium::CellAreas &areas,
                                      const Buckets &buckets, const std::vector<char> &gone,
                                      const medium::CellValue &debt)
     {
+      constexpr double in_the_melt = -0.5; // phi
       const int furthest = melting_reach(debt, areas, solid.grid);
       std::vector<Candidate> found;
-      for (int reach = 1; reach <= furthest && found.empty(); ++reach)
+      const auto look = [&](const int reach, const double highest)
+      {
         for_square(solid.grid.cells, debt.cell, reach,
                    [&](const long near)
                    {
                      for (const std::size_t p : buckets.at(near))
-                       if (!gone[p])
-                         found.push_back({areas.value({solid.points.x[p], solid.points.y[p]}), p});
+                       if (const double phi = areas.value({solid.points.x[p], solid.points.y[p]});
+                           !gone[p] && phi < highest)
+                         found.push_back({phi, p});
                    });
+      };
+      look(furthest, in_the_melt);
+      for (int reach = 1; reach <= furthest && found.empty(); ++reach)
+        look(reach, 2.);
       std::sort(found.begin(), found.end());
       return found;
     }
