@@ -102,9 +102,9 @@ void Recorder::observe_early_end(const World &world)
 {
   for (auto &watch : watches)
   {
-    const bool pending = watch.next < watch.times.size();
-    const bool just_seen = watch.next > 0 && world.time <= watch.times[watch.next - 1] + tolerance;
-    if (pending && !just_seen)
+    if (watch.next >= watch.times.size())
+      continue; // all seen, or watched by compression
+    if (watch.next == 0 || world.time > watch.times[watch.next - 1] + tolerance)
       observe_probe(*watch.probe, world);
     watch.next = watch.times.size();
   }
