@@ -113,6 +113,7 @@ namespace fe
     parameters.set("PrintStatus", false);
     Teuchos::ParameterList &mumps = parameters.sublist("mumps");
     mumps.set("ICNTL(14)", 60); // per cent of spare workspace for pivots that move
+    mumps.set("ICNTL(8)", 0);   // rows and columns are of one scale already
     solver->SetParameters(parameters);
   }
 

@@ -58,6 +58,10 @@ namespace fe
       bool advance();
       void accept();
       bool finished() const { return last.time > course.end - 1e-9 * nominal; }
+      bool goes_on_past_the_end() const
+      {
+        return course.until_folding && !course.folded() && last.time < longest_course * course.end;
+      }
     };
 
     // Not past the next sampling time or the end, nor just short of it.
@@ -153,8 +157,7 @@ namespace fe
       course.observe({march.last, march.last, march.pace, {}});
     }
     Outcome outcome;
-    while (!march.finished() ||
-           (course.until_folding && march.last.time < longest_course * course.end))
+    while (!march.finished() || march.goes_on_past_the_end())
     {
       if (course.interrupted())
       {
@@ -171,6 +174,8 @@ namespace fe
       }
       march.accept();
     }
+    if (course.until_folding && march.finished() && outcome.message.empty() && course.folded())
+      outcome.message = "the mesh has folded; the march ends";
     outcome.last = std::move(march.last);
     outcome.pace = std::move(march.pace);
     return outcome;

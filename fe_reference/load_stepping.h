@@ -46,8 +46,9 @@ namespace fe
     double end = 0.; // time at which to stop
     int load_steps = 100;
     std::vector<double> sampling_times; // sorted
-    bool until_folding = false;         // go on past `end` until no equilibrium can be found
+    bool until_folding = false;         // go on past `end` until the mesh has folded
     std::function<void(const Step &)> observe;
+    std::function<bool()> folded;      // by the last observed state, more than may be overlooked
     std::function<bool()> interrupted; // the same answer on every process
   };
 

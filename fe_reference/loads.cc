@@ -39,6 +39,13 @@ namespace fe
     struct SideState
     {
       Point traction = Point::Zero(), tangent = Point::Zero();
+      double pressure = 0.;
+
+      // Force per unit of the side's parameter.
+      Point density() const
+      {
+        return traction * tangent.norm() + pressure * Point(-tangent[1], tangent[0]);
+      }
     };
 
     SideState side_state(const Loads::Traction &traction, const BoundarySide &side,
@@ -56,7 +63,10 @@ namespace fe
         argument.x += point.value[k] * x;
         state.tangent += point.slope[k] * x;
       }
-      state.traction = Point(traction.traction[0](argument), traction.traction[1](argument));
+      if (traction.pressure)
+        state.pressure = (*traction.pressure)(argument);
+      else
+        state.traction = Point(traction.traction[0](argument), traction.traction[1](argument));
       return state;
     }
 
@@ -72,10 +82,10 @@ namespace fe
           for (const SidePoint &point : points)
           {
             const SideState state = side_state(traction, side, d, u, t, point);
-            const double weight = point.weight * state.tangent.norm();
+            const Point density = state.density();
             for (int k = 0; k <= d.degree; ++k)
               for (int c = 0; c < 2; ++c)
-                force[2 * side.node[k] + c] += weight * point.value[k] * state.traction[c];
+                force[2 * side.node[k] + c] += point.weight * point.value[k] * density[c];
           }
         }
     }
@@ -125,6 +135,8 @@ namespace fe
     {
       Loads::Traction load{
           {}, {scene::Function(traction.traction[0]), scene::Function(traction.traction[1])}};
+      if (traction.pressure)
+        load.pressure.emplace(*traction.pressure);
       for (const BoundarySide &side : d.boundary)
         if (std::all_of(side.node.begin(), side.node.begin() + d.degree + 1,
                         [&](const int n)
@@ -160,11 +172,13 @@ namespace fe
     for (const SidePoint &point : side_points(d.degree))
     {
       const SideState state = side_state(traction, side, d, u, t, point);
-      const Point direction = state.tangent.normalized();
+      Eigen::Matrix2d derivative = state.traction * state.tangent.normalized().transpose();
+      derivative(0, 1) -= state.pressure;
+      derivative(1, 0) += state.pressure;
       for (int i = 0; i < unknowns; ++i)
         for (int j = 0; j < unknowns; ++j)
-          stiffness[i * unknowns + j] += point.weight * state.traction[i % 2] * point.value[i / 2] *
-                                         direction[j % 2] * point.slope[j / 2];
+          stiffness[i * unknowns + j] +=
+              point.weight * point.value[i / 2] * derivative(i % 2, j % 2) * point.slope[j / 2];
     }
     return stiffness;
   }

@@ -1,10 +1,11 @@
 // Forces from outside: tractions on the deformed outline and body forces per mass.
 //
-// A traction is a force per deformed length, f_a = int t N_a |dx/ds| ds; it changes with the length
-// of its side, so it has a (not symmetric) stiffness. A body force is an acceleration; the mass in
-// it is that of the initial volume, rho = rho0/J, hence f_a = int rho0 b N_a dV0. Both are
-// expressions of X, the current x and t; the dependence of an expression on x is left out of the
-// tangent.
+// A traction is a force per deformed length, f_a = int t N_a |dx/ds| ds; a pressure p acts along
+// the inward normal of the deformed side, f_a = int p N_a (-dy/ds, dx/ds) ds (sides run
+// counter-clockwise around the material). Both change with their side, so they have a (not
+// symmetric) stiffness. A body force is an acceleration; the mass in it is that of the initial
+// volume, rho = rho0/J, hence f_a = int rho0 b N_a dV0. Both are expressions of X, the current x
+// and t; the dependence of an expression on x is left out of the tangent.
 #pragma once
 
 #include <optional>
@@ -21,6 +22,7 @@ namespace fe
     {
       std::vector<BoundarySide> sides;
       std::array<scene::Function, 2> traction;
+      std::optional<scene::Function> pressure = {}; // instead of the traction
     };
     std::vector<Traction> tractions;
     std::optional<std::array<scene::Function, 2>> acceleration;

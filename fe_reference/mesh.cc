@@ -17,6 +17,44 @@ namespace fe
                          { return std::holds_alternative<scene::Rectangle>(body.shape); });
     }
 
+    bool is_symmetry(const scene::Domain &domain, const int axis, const bool upper)
+    {
+      return domain.boundary[2 * axis + upper] == scene::Boundary::symmetry;
+    }
+
+    // Smallest box around what is left of the bodies within the symmetry sides.
+    scene::Box cut_box(const scene::Scene &scene)
+    {
+      scene::Box box = scene::bounding_box(scene.bodies);
+      for (int axis = 0; axis < 2; ++axis)
+      {
+        if (is_symmetry(scene.domain, axis, false))
+          box.lower[axis] = std::max(box.lower[axis], scene.domain.lower[axis]);
+        if (is_symmetry(scene.domain, axis, true))
+          box.upper[axis] = std::min(box.upper[axis], scene.domain.upper()[axis]);
+      }
+      return box;
+    }
+
+    // Rectangles without what lies beyond the symmetry sides of the domain.
+    std::vector<scene::Body> cut(std::vector<scene::Body> bodies, const scene::Domain &domain)
+    {
+      for (scene::Body &body : bodies)
+      {
+        auto &rectangle = std::get<scene::Rectangle>(body.shape);
+        Point lower = rectangle.corner, upper = rectangle.corner + rectangle.size;
+        for (int axis = 0; axis < 2; ++axis)
+        {
+          if (is_symmetry(domain, axis, false))
+            lower[axis] = std::max(lower[axis], domain.lower[axis]);
+          if (is_symmetry(domain, axis, true))
+            upper[axis] = std::min(upper[axis], domain.upper()[axis]);
+        }
+        rectangle = {lower, upper - lower};
+      }
+      return bodies;
+    }
+
     // Pieces that touch in an edge are one; a piece without support has no equilibrium.
     std::vector<int> pieces_of(const QuadMesh &mesh)
     {
@@ -48,6 +86,10 @@ namespace fe
           if (scene::contains(support.where, box, mesh.vertices[i], tolerance))
             held[piece[i]] = 1;
       for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
+        for (int axis = 0; axis < 2; ++axis)
+          if (on_symmetry_side(scene.domain, axis, mesh.vertices[i], tolerance))
+            held[piece[i]] = 1;
+      for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
         if (!held[piece[i]])
         {
           const Point &p = mesh.vertices[i];
@@ -61,10 +103,19 @@ namespace fe
     }
   } // namespace
 
+  bool on_symmetry_side(const scene::Domain &domain, const int axis, const Point &X,
+                        const double tolerance)
+  {
+    return (is_symmetry(domain, axis, false) &&
+            std::abs(X[axis] - domain.lower[axis]) <= tolerance) ||
+           (is_symmetry(domain, axis, true) &&
+            std::abs(X[axis] - domain.upper()[axis]) <= tolerance);
+  }
+
   std::array<int, 2> wanted_cells(const scene::Scene &scene)
   {
     const std::array<int, 2> asked = scene.fe ? scene.fe->cells : std::array<int, 2>{0, 0};
-    const scene::Box box = scene::bounding_box(scene.bodies);
+    const scene::Box box = cut_box(scene);
     std::array<int, 2> cells{};
     for (int d = 0; d < 2; ++d)
       cells[d] = asked[d] > 0
@@ -77,12 +128,13 @@ namespace fe
   QuadMesh make_mesh(const scene::Scene &scene)
   {
     const std::array<int, 2> cells = wanted_cells(scene);
-    const scene::Box box = scene::bounding_box(scene.bodies);
+    const scene::Box box = cut_box(scene);
     const Point size = box.upper - box.lower;
     const double grading = scene.fe ? scene.fe->grading : 0.;
-    QuadMesh mesh = only_rectangles(scene.bodies)
-                        ? mesh_rectangles(scene.bodies, cells, grading, scene.supports)
-                        : mesh_outline(scene.bodies, {size[0] / cells[0], size[1] / cells[1]});
+    QuadMesh mesh =
+        only_rectangles(scene.bodies)
+            ? mesh_rectangles(cut(scene.bodies, scene.domain), cells, grading, scene.supports)
+            : mesh_outline(scene.bodies, scene.domain, {size[0] / cells[0], size[1] / cells[1]});
     check_pieces(scene, mesh);
     return mesh;
   }

@@ -6,7 +6,8 @@
 // corners positions follow the power grading s^(1/(1-grading)), which restores the order that a
 // uniform mesh loses there (I. Babuska, R. B. Kellogg, J. Pitkaranta, Numer. Math. 33 (1979) 447).
 // Discs, rings, polygons and unions that hold one of them are meshed inside their common outline by
-// Gmsh, triangles recombined and subdivided into quadrilaterals; sides are straight.
+// Gmsh, triangles recombined and subdivided into quadrilaterals; sides are straight. What lies
+// beyond a symmetry side of the domain is left out.
 #pragma once
 
 #include <array>
@@ -27,12 +28,16 @@ namespace fe
   /// Cells asked for over the bounding box of the bodies: [fe] cells, else the domain's spacing.
   std::array<int, 2> wanted_cells(const scene::Scene &);
 
+  /// Is `X` on a symmetry side of the domain whose normal is `axis`?
+  bool on_symmetry_side(const scene::Domain &, int axis, const Point &X, double tolerance);
+
   /// Throws scene::BadScene if a body has no area or the bodies fall apart into pieces of which one
-  /// touches no support (it could move freely).
+  /// touches neither a support nor a symmetry side (it could move freely).
   QuadMesh make_mesh(const scene::Scene &);
 
   /// The two ways, by shape. `spacing`: wanted size of a cell.
   QuadMesh mesh_rectangles(const std::vector<scene::Body> &, const std::array<int, 2> &cells,
                            double grading, const std::vector<scene::Support> &);
-  QuadMesh mesh_outline(const std::vector<scene::Body> &, const Point &spacing);
+  QuadMesh mesh_outline(const std::vector<scene::Body> &, const scene::Domain &,
+                        const Point &spacing);
 } // namespace fe

@@ -116,11 +116,12 @@ namespace fe
     }
   } // namespace
 
-  QuadMesh mesh_outline(const std::vector<scene::Body> &bodies, const Point &spacing)
+  QuadMesh mesh_outline(const std::vector<scene::Body> &bodies, const scene::Domain &domain,
+                        const Point &spacing)
   {
     const double size = std::min(spacing[0], spacing[1]);
     // Subdivision halves every element: the triangles before it are twice the wanted size.
-    std::vector<scene::Polyline> outlines = scene::outline(bodies, 0.5 * size);
+    std::vector<scene::Polyline> outlines = scene::outline(bodies, domain, 0.5 * size);
     for (scene::Polyline &outline : outlines)
       outline = simplify_outline(outline, 0.02 * size, 0.5 * size);
     const Session session;

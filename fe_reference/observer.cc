@@ -67,12 +67,13 @@ namespace fe
     default_bin = (box.upper[0] - box.lower[0]) / 20.;
     const auto watch = [this](const scene::Probe &probe)
     {
-      watches.push_back({&probe, scene::sample_times(probe, scene.clock.end)});
+      watches.push_back({&probe, scene::sample_times(probe, scene.clock.end), false});
       const std::vector<double> &times = watches.back().times;
       events.insert(events.end(), times.begin(), times.end());
     };
     std::for_each(scene.probes.begin(), scene.probes.end(), watch);
-    std::for_each(own.begin(), own.end(), watch);
+    for (const scene::Probe &probe : own)
+      watches.push_back({&probe, {}, true});
     std::sort(events.begin(), events.end());
     events.erase(std::unique(events.begin(), events.end(),
                              [this](const double a, const double b) { return b - a <= tolerance; }),
@@ -81,7 +82,8 @@ namespace fe
 
   bool Observer::due(const Watch &watch, const double time) const
   {
-    return std::any_of(watch.times.begin(), watch.times.end(),
+    return watch.every_step ||
+           std::any_of(watch.times.begin(), watch.times.end(),
                        [&](const double sample) { return std::abs(sample - time) <= tolerance; });
   }
 
@@ -125,15 +127,27 @@ namespace fe
     const std::vector<char> folded = folded_cells(problem, step.state.u, smallest);
     smallest_nodal = smallest;
     folded_now = static_cast<int>(std::count(folded.begin(), folded.end(), 1));
-    if (folded_now == 0 || !folding.empty())
+    if (folds.cell >= 0)
       return;
-    const auto cell = static_cast<int>(std::find(folded.begin(), folded.end(), 1) - folded.begin());
+    if (folded_now == 0)
+    {
+      folds.last_valid = step.state.time;
+      return;
+    }
+    folds.time = step.state.time;
+    folds.cell = static_cast<int>(std::find(folded.begin(), folded.end(), 1) - folded.begin());
+  }
+
+  std::string Observer::first_folding() const
+  {
+    if (folds.cell < 0)
+      return "";
     Point X = Point::Zero();
     for (int a = 0; a < 4; ++a)
-      X += 0.25 * problem.mesh.position[problem.mesh.nodes_of(cell)[a]];
+      X += 0.25 * problem.mesh.position[problem.mesh.nodes_of(folds.cell)[a]];
     std::ostringstream text;
-    text << "t = " << step.state.time << ", cell at X = (" << X[0] << ", " << X[1] << ")";
-    folding = text.str();
+    text << "t = " << folds.time << ", cell at X = (" << X[0] << ", " << X[1] << ")";
+    return text.str();
   }
 
   void Observer::history_row(const std::string &name, const Step &step)

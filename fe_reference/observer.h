@@ -15,6 +15,15 @@
 
 namespace fe
 {
+  /// The first cell with a node at which the volume ratio is not positive. From then on the answer
+  /// is valid away from such cells only.
+  struct Folding
+  {
+    double last_valid = 0.; // last time without one
+    double time = 0.;       // of the first one
+    int cell = -1;          // the first one; -1: none yet
+  };
+
   class Observer
   {
   public:
@@ -30,7 +39,10 @@ namespace fe
     void observe_last(const Step &);
 
     /// Where and when the mesh first folded at a node, as text; empty if it did not.
-    const std::string &first_folding() const { return folding; }
+    std::string first_folding() const;
+    const Folding &folding() const { return folds; }
+    /// What was known of folding when the run that goes on here stopped.
+    void resume(const Folding &known) { folds = known; }
     double smallest_nodal_jacobian() const { return smallest_nodal; }
     int folded_cells_at_end() const { return folded_now; }
     double wall_seconds() const { return wall; }
@@ -41,6 +53,7 @@ namespace fe
     {
       const scene::Probe *probe;
       std::vector<double> times;
+      bool every_step = false; // whenever an equilibrium is found, and no step is made for it
     };
     bool due(const Watch &, double time) const;
     void energy_row(const Step &);
@@ -56,7 +69,7 @@ namespace fe
     std::vector<Watch> watches;
     std::vector<double> events;
     double tolerance, default_bin;
-    std::string folding;
+    Folding folds;
     double smallest_nodal = 1.;
     int folded_now = 0;
     double wall = 0., cpu = 0.;

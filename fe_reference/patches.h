@@ -39,10 +39,9 @@ namespace fe
         for (int k = 0; k < split * split; ++k)
         {
           // Undivided, the patch is its Gauss point, and the sum is Gauss quadrature.
-          const Point unit =
-              split == 1
-                  ? d.unit_point[q]
-                  : Point(bound[i] + (k % split + 0.5) * dx, bound[j] + (k / split + 0.5) * dy);
+          const Point unit = split == 1 ? d.unit_point[q]
+                                        : Point(bound[i] + (k % split + 0.5) * dx,
+                                                bound[j] + (k / split + 0.5) * dy);
           PatchSample sample{cell, q, unit, Point::Zero(), 0.};
           Matrix2 slope;
           sample.x = position_in(body, {cell, sample.unit}, scene::Frame::current, &slope);

@@ -16,6 +16,8 @@ namespace fe
   namespace
   {
     constexpr double seconds_between_checkpoints = 300.;
+    // Of the cells: those at singular corners fold long before the rest of the mesh does.
+    constexpr double overlooked_folds = 0.01;
 
     Problem make_problem(const scene::Scene &scene, const QuadMesh &mesh, const int threads)
     {
@@ -120,6 +122,8 @@ namespace fe
       if (!first)
         return diverged ? record::numerical_trouble : record::all_right;
       writer->attribute("largest_load_factor", outcome.last.time / scene.clock.end);
+      writer->attribute("largest_valid_load_factor",
+                        observer.folding().last_valid / scene.clock.end);
       writer->attribute("smallest_jacobian", outcome.last.smallest_jacobian);
       writer->attribute("smallest_nodal_jacobian", observer.smallest_nodal_jacobian());
       writer->attribute("folded_cells", static_cast<double>(observer.folded_cells_at_end()));
@@ -143,6 +147,23 @@ namespace fe
                 << " iterations, largest load factor " << outcome.last.time / scene.clock.end
                 << ", smallest Jacobian " << outcome.last.smallest_jacobian << '\n';
       return diverged ? record::numerical_trouble : record::all_right;
+    }
+
+    // How far and in what steps to march; `observe` is left to the caller.
+    Course make_course(const scene::Scene &scene, const Problem &problem, const Observer &observer,
+                       const std::function<bool()> &stop_asked)
+    {
+      const scene::Fe settings = scene.fe.value_or(scene::Fe{});
+      Course course;
+      course.end = scene.clock.end;
+      course.load_steps = settings.load_steps;
+      course.sampling_times = observer.times();
+      course.until_folding = settings.past_folding;
+      course.folded = [&problem, &observer]
+      { return observer.folded_cells_at_end() > overlooked_folds * problem.mesh.cells; };
+      course.interrupted = [&stop_asked]
+      { return sum_over_processes(stop_asked() ? 1. : 0.) > 0.; };
+      return course;
     }
   } // namespace
 
@@ -173,6 +194,8 @@ namespace fe
       saved = load(run.checkpoint_path(), scene, problem);
     run.open_record(saved ? std::optional<double>(saved->state.time) : std::nullopt);
     Observer observer(scene, problem, run.writer.get());
+    if (saved)
+      observer.resume(saved->folding);
     run.setup_wall = record::wall_seconds() - run.wall_start;
     run.setup_cpu = record::cpu_seconds();
 
@@ -184,16 +207,11 @@ namespace fe
     {
       if (run.writer)
         run.writer->flush();
-      save(run.checkpoint_path(), scene, problem, state, pace);
+      save(run.checkpoint_path(), scene, problem, state, pace, observer.folding());
       last_checkpoint = record::wall_seconds();
     };
 
-    Course course;
-    course.end = scene.clock.end;
-    course.load_steps = scene.fe.value_or(scene::Fe{}).load_steps;
-    course.sampling_times = observer.times();
-    course.until_folding = scene.fe && scene.fe->past_folding;
-    course.interrupted = [&] { return sum_over_processes(stop_asked() ? 1. : 0.) > 0.; };
+    Course course = make_course(scene, problem, observer, stop_asked);
     course.observe = [&](const Step &step)
     {
       observer.observe(step);

@@ -8,7 +8,7 @@
 namespace fe
 {
   void save(const std::string &path, const scene::Scene &scene, const Problem &problem,
-            const State &state, const Pace &pace)
+            const State &state, const Pace &pace, const Folding &folding)
   {
     const std::vector<double> points = whole_points(problem.mesh, state.points);
     if (process_number() != 0)
@@ -26,6 +26,8 @@ namespace fe
                                                double(pace.steps), double(pace.retries),
                                                double(pace.iterations), pace.energies.external,
                                                pace.energies.elastic, pace.energies.plastic});
+    checkpoint.put("folding", std::vector<double>{folding.last_valid, folding.time,
+                                                  static_cast<double>(folding.cell)});
     checkpoint.save(path, scene);
   }
 
@@ -54,6 +56,8 @@ namespace fe
     pace.retries = static_cast<int>(numbers.at(3));
     pace.iterations = static_cast<int>(numbers.at(4));
     pace.energies = {numbers.at(5), numbers.at(6), numbers.at(7)};
+    const std::vector<double> &folding = checkpoint.get<double>("folding");
+    saved.folding = {folding.at(0), folding.at(1), static_cast<int>(folding.at(2))};
     return saved;
   }
 } // namespace fe

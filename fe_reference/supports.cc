@@ -29,6 +29,27 @@ namespace fe
       return box;
     }
 
+    // Normal displacement zero where the body meets a symmetry side of the domain.
+    void hold_symmetry_sides(const scene::Domain &domain, const Discretisation &d,
+                             const double tolerance, Supports &supports)
+    {
+      for (int axis = 0; axis < 2; ++axis)
+      {
+        Supports::Held side;
+        for (int n = 0; n < d.nodes; ++n)
+          if (on_symmetry_side(domain, axis, d.position[n], tolerance) &&
+              !supports.is_held[2 * n + axis])
+          {
+            supports.is_held[2 * n + axis] = 1;
+            side.nodes[axis].push_back(n);
+            side.all_nodes.push_back(n);
+          }
+        side.displacement[axis].emplace(scene::Expression{});
+        if (!side.all_nodes.empty())
+          supports.held.push_back(std::move(side));
+      }
+    }
+
     // Pins the node nearest to the middle in every direction that no support holds.
     void pin_floating_directions(const Discretisation &d, const scene::Box &box, Supports &supports)
     {
@@ -95,6 +116,7 @@ namespace fe
         }
       supports.held.push_back(std::move(held));
     }
+    hold_symmetry_sides(scene.domain, d, tolerance, supports);
     pin_floating_directions(d, box, supports);
     return supports;
   }

@@ -2,7 +2,8 @@
 //
 // A support on an edge or a segment holds the nodes of the outline that lie on it at the start; a
 // support on a region holds every node that starts inside (a grip). Each component is held or free
-// by itself; where two supports claim the same one, the first in the scene holds it. A direction
+// by itself; where two supports claim the same one, the first in the scene holds it. Symmetry sides
+// of the domain hold what no support does: there the normal displacement is zero. A direction
 // that nothing holds (a strip pulled along y, free to contract) has no equilibrium position of its
 // own: one node near the middle is pinned in it, which does no work.
 #pragma once

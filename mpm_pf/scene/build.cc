@@ -117,7 +117,7 @@ namespace scene
       {
         TractionInput input;
         take_section(*find_section("traction"), *at, &input, complaints);
-        Traction traction{"", {}, input.traction, at->place};
+        Traction traction{"", {}, input.traction, input.pressure, at->place};
         if (place_load(input, *at, "traction", index++, traction.where, traction.name))
         {
           draft.scene.tractions.push_back(traction);

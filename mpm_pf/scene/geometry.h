@@ -22,6 +22,8 @@ namespace scene
   /// The same, vertices at most `spacing` apart (circles and edges
   /// are subdivided).
   std::vector<Polyline> outline(const std::vector<Body> &, double spacing);
+  /// The same, with what lies beyond the symmetry sides of `domain` cut off.
+  std::vector<Polyline> outline(const std::vector<Body> &, const Domain &, double spacing);
 
   /// Area by the shoelace formula, positive for counter-clockwise.
   double signed_area(const Polyline &);

@@ -61,6 +61,7 @@ namespace scene
   struct TractionInput : WhereInput
   {
     VectorExpression traction;
+    std::optional<Expression> pressure;
   };
 
   struct ProbeInput

@@ -74,7 +74,8 @@ namespace scene
     }
 
     template <class Input>
-    Keys<Input> placed(const std::string &name, const std::string &sentence)
+    Keys<Input> placed(const std::string &name, const std::string &sentence,
+                       const std::string &region)
     {
       Keys<Input> keys(name, sentence);
       keys.add("name", &Input::name, any(), "Name, for probes and overrides.",
@@ -83,8 +84,8 @@ namespace scene
                "absent: segment or region says where")
           .add("segment", &Input::segment, any(Dimension::length),
                "The part of the outline on this segment.", "absent: on or region says where")
-          .add("region", &Input::region, any(Dimension::length),
-               "All material that starts in this box (a grip).", "absent: on or segment says where")
+          .add("region", &Input::region, any(Dimension::length), region,
+               "absent: on or segment says where")
           .exclusive({"on", "segment", "region"}, true);
       return keys;
     }
@@ -92,7 +93,8 @@ namespace scene
     Section support()
     {
       return placed<SupportInput>("support",
-                                  "Material held or driven; its reaction is always recorded.")
+                                  "Material held or driven; its reaction is always recorded.",
+                                  "All material that starts in this box (a grip).")
           .require("displacement", &SupportInput::displacement, any(Dimension::length),
                    "Displacement in x and y; \"free\" leaves a component free.", "")
           .repeated();
@@ -100,9 +102,16 @@ namespace scene
 
     Section traction()
     {
-      return placed<TractionInput>("traction", "A load on a part of the outline.")
-          .require("traction", &TractionInput::traction, any(Dimension::stress),
-                   "Force per deformed length and unit depth, in x and y.", "")
+      return placed<TractionInput>("traction", "A load on a part of the outline.",
+                                   "The part of the outline that starts in this box.")
+          .add("traction", &TractionInput::traction, any(Dimension::stress),
+               "Force per deformed length and unit depth, in x and y.",
+               "absent: pressure gives the load")
+          .add("pressure", &TractionInput::pressure, any(Dimension::stress),
+               "Force per deformed length and unit depth, pressing on the outline at a right angle "
+               "wherever it moves.",
+               "absent: traction gives the load")
+          .exclusive({"traction", "pressure"}, true)
           .repeated();
     }
 

@@ -59,8 +59,11 @@ namespace scene
           .add("grading", &Fe::grading, Allowed{Dimension::none, {0., 1., true, false}},
                "0: uniform; towards 1: finer near clamped corners.", "only clamped corners need it")
           .add("past_folding", &Fe::past_folding, any(),
-               "Go on past the clock's end until the mesh folds and no equilibrium is found.",
-               "cells folded at a corner are marked invalid either way")
+               "Go on past the clock's end until a hundredth of the cells has folded, or no "
+               "equilibrium is "
+               "found.",
+               "the few cells at singular corners fold first; folded ones are marked invalid "
+               "either way")
           .optional();
     }
   } // namespace

@@ -26,8 +26,9 @@ namespace scene
   struct Traction
   {
     std::string name;
-    Where where;               // an edge or a segment
-    VectorExpression traction; // force per deformed length and unit depth
+    Where where;                        // a box: the part of the outline that starts in it
+    VectorExpression traction;          // force per deformed length and unit depth
+    std::optional<Expression> pressure; // instead: along the inward normal of the deformed outline
     Place place;
   };
 

@@ -104,30 +104,73 @@ namespace scene
       }
       return line;
     }
+
+    Areas union_of(const std::vector<Body> &bodies, const double spacing)
+    {
+      std::vector<Areas> parts;
+      for (const Body &body : bodies)
+        parts.push_back(areas_of(body, spacing));
+      return joined(parts,
+                    [](const Areas &a, const Areas &b, Areas &both) { bg::union_(a, b, both); });
+    }
+
+    std::vector<Polyline> lines_of(const Areas &areas)
+    {
+      std::vector<Polyline> lines;
+      for (const Area &area : areas)
+      {
+        lines.push_back(line_of(area.outer()));
+        for (const auto &hole : area.inners())
+          lines.push_back(line_of(hole));
+      }
+      return lines;
+    }
+
+    std::vector<Polyline> subdivided(std::vector<Polyline> lines, const double spacing)
+    {
+      for (Polyline &line : lines)
+        line = subdivided(line, spacing);
+      return lines;
+    }
+
+    // The plane within the symmetry sides; on other sides it reaches far beyond the bodies.
+    Box within_symmetry(const Box &bodies, const Domain &domain)
+    {
+      const Point far = bodies.upper - bodies.lower + domain.size;
+      Box box{bodies.lower.cwiseMin(domain.lower) - far,
+              bodies.upper.cwiseMax(domain.upper()) + far};
+      for (int axis = 0; axis < 2; ++axis)
+      {
+        if (domain.boundary[2 * axis] == Boundary::symmetry)
+          box.lower[axis] = domain.lower[axis];
+        if (domain.boundary[2 * axis + 1] == Boundary::symmetry)
+          box.upper[axis] = domain.upper()[axis];
+      }
+      return box;
+    }
   } // namespace
 
   std::vector<Polyline> union_outline(const std::vector<Body> &bodies, const double spacing)
   {
-    std::vector<Areas> parts;
-    for (const Body &body : bodies)
-      parts.push_back(areas_of(body, spacing));
-    const Areas sum =
-        joined(parts, [](const Areas &a, const Areas &b, Areas &both) { bg::union_(a, b, both); });
-    std::vector<Polyline> lines;
-    for (const Area &area : sum)
-    {
-      lines.push_back(line_of(area.outer()));
-      for (const auto &hole : area.inners())
-        lines.push_back(line_of(hole));
-    }
-    return lines;
+    return lines_of(union_of(bodies, spacing));
   }
 
   std::vector<Polyline> outline(const std::vector<Body> &bodies, const double spacing)
   {
-    std::vector<Polyline> lines = union_outline(bodies, spacing);
-    for (Polyline &line : lines)
-      line = subdivided(line, spacing);
-    return lines;
+    return subdivided(union_outline(bodies, spacing), spacing);
+  }
+
+  std::vector<Polyline> outline(const std::vector<Body> &bodies, const Domain &domain,
+                                const double spacing)
+  {
+    const Box all = bounding_box(bodies), kept = within_symmetry(all, domain);
+    if ((all.lower.array() >= kept.lower.array()).all() &&
+        (all.upper.array() <= kept.upper.array()).all())
+      return outline(bodies, spacing);
+    const Areas window = areas_of(Polyline{
+        kept.lower, {kept.upper[0], kept.lower[1]}, kept.upper, {kept.lower[0], kept.upper[1]}});
+    Areas inside;
+    bg::intersection(union_of(bodies, spacing), window, inside);
+    return subdivided(lines_of(inside), spacing);
   }
 } // namespace scene

@@ -28,7 +28,8 @@ namespace scene
         {"A support holds at least one component, and starts from zero displacement.",
          supports_hold_something},
         {"Two supports do not hold the same component of the same place.", supports_do_not_compete},
-        {"A traction acts on an outline: an edge or a segment.", tractions_act_on_outlines},
+        {"A traction acts on the outline: an edge, a segment, or what of it starts in a region.",
+         tractions_act_on_outlines},
         // Walls
         {"A wall moves if it has both a speed and a travel, and does not cross the domain.",
          walls_have_room},

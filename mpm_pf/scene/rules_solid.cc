@@ -213,11 +213,28 @@ namespace scene
 
   void tractions_act_on_outlines(const Inspection &in)
   {
+    if (!in.geometry_known || in.complaints.about(*in.draft.root.find("body")))
+      return;
+    const Box bodies = bounding_box(in.scene().bodies);
+    const double spacing = (bodies.upper - bodies.lower).norm() / 2000.;
     for (std::size_t i = 0; i < in.scene().tractions.size(); ++i)
-      if (const Value *region = in.draft.tractions[i]->find("region"))
-        in.complain(*region, "a traction on a region", "on = \"...\" or segment = [[..], [..]]",
+    {
+      const Value *region = in.draft.tractions[i]->find("region");
+      const Where &where = in.scene().tractions[i].where;
+      if (!region || in.complaints.about(*region))
+        continue;
+      const std::vector<Polyline> lines = outline(in.scene().bodies, spacing);
+      const auto runs_through = [&](const Polyline &line)
+      {
+        return std::any_of(line.begin(), line.end(),
+                           [&](const Point &X) { return contains(where, bodies, X, 0.); });
+      };
+      if (std::none_of(lines.begin(), lines.end(), runs_through))
+        in.complain(*region, "no part of the outline runs through this region",
+                    "a box around the loaded part of the outline",
                     "a traction is a force per length of outline; for a force on all material "
                     "write [body_force]");
+    }
   }
 
   void transfer_keys_are_used(const Inspection &in)

@@ -27,8 +27,11 @@ namespace solid
                                       "segment on it");
       if (index >= 32)
         throw scene::BadScene(where + "is the 33rd traction; at most 32 are possible");
-      loads.tractions.push_back(
-          {asked.name, {scene::Function(asked.traction[0]), scene::Function(asked.traction[1])}});
+      Load load{
+          asked.name, {scene::Function(asked.traction[0]), scene::Function(asked.traction[1])}, {}};
+      if (asked.pressure)
+        load.pressure.emplace(*asked.pressure);
+      loads.tractions.push_back(std::move(load));
     }
     if (scene.body_force)
       loads.body_force.emplace(
@@ -60,6 +63,14 @@ namespace solid
 
   namespace
   {
+    // On a whole chord, if the load were everywhere as it is at `at`.
+    Point force_on(const Load &load, const Point &chord, const scene::Argument &at)
+    {
+      if (load.pressure)
+        return (*load.pressure)(at)*Point(-chord[1], chord[0]);
+      return chord.norm() * Point(load.traction[0](at), load.traction[1](at));
+    }
+
     void spread(Loads &loads, const Scheme &scheme, const FoldTable &table, Grid &grid,
                 const double full_mass, const Point &x, const Point &force)
     {
@@ -90,15 +101,14 @@ namespace solid
       {
         if (outline[k].loads == 0)
           continue;
-        const double length = (outline[(k + 1) % outline.size()].x - outline[k].x).norm();
+        const Point chord = outline[(k + 1) % outline.size()].x - outline[k].x;
         for (const double s : {0.5 - 0.5 / std::sqrt(3.), 0.5 + 0.5 / std::sqrt(3.)})
         {
           const auto [X, x] = on_chord(outline, k, s);
           Point force = Point::Zero();
           for (std::size_t l = 0; l < loads.tractions.size(); ++l)
             if (outline[k].loads & (1u << l))
-              for (int c = 0; c < 2; ++c)
-                force[c] += 0.5 * length * loads.tractions[l].traction[c]({X, x, t});
+              force += 0.5 * force_on(loads.tractions[l], chord, {X, x, t});
           spread(loads, scheme, table, grid, full_mass, x, force);
         }
       }

@@ -1,9 +1,10 @@
 // Tractions on the outline and body forces.
 //
 // A traction acts on the chords between tracers, per current length, integrated with two Gauss
-// points each. A node takes its share by the shape functions, reduced where it has hardly any mass
-// (a light node at the tail of a spline would be flung off by a force that the points behind it
-// never feel); shares are scaled to the whole force.
+// points each; a pressure acts along a chord's inward normal (material lies to the left). A node
+// takes its share by the shape functions, reduced where it has hardly any mass (a light node at the
+// tail of a spline would be flung off by a force that the points behind it never feel); shares are
+// scaled to the whole force.
 #pragma once
 
 #include <optional>
@@ -18,6 +19,7 @@ namespace solid
   {
     std::string name;
     std::array<scene::Function, 2> traction;
+    std::optional<scene::Function> pressure; // instead of the traction
   };
 
   struct Loads

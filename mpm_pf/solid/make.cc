@@ -83,7 +83,7 @@ namespace solid
     if (!scene.growth) // else activate() makes the points, once something presses on the crystal
     {
       solid.points = make_points(scene, solid.material, mpm.points_per_cell);
-      solid.tracers = make_tracers(scene.bodies, 0.5 * solid.grid.dx);
+      solid.tracers = make_tracers(scene.bodies, scene.domain, 0.5 * solid.grid.dx);
     }
     solid.supports = make_supports(scene, solid.points, solid.tracers);
     solid.loads = make_loads(scene, solid.tracers);

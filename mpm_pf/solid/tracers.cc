@@ -4,10 +4,11 @@
 
 namespace solid
 {
-  Tracers make_tracers(const std::vector<scene::Body> &bodies, const double spacing)
+  Tracers make_tracers(const std::vector<scene::Body> &bodies, const scene::Domain &domain,
+                       const double spacing)
   {
     Tracers tracers;
-    for (const scene::Polyline &line : scene::outline(bodies, spacing))
+    for (const scene::Polyline &line : scene::outline(bodies, domain, spacing))
     {
       tracers.outlines.emplace_back();
       for (const Point &X : line)

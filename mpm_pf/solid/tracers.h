@@ -23,7 +23,8 @@ namespace solid
     std::vector<std::vector<Tracer>> outlines; // closed
   };
 
-  Tracers make_tracers(const std::vector<scene::Body> &, double spacing);
+  /// On the outline of the bodies, cut at the symmetry sides of the domain.
+  Tracers make_tracers(const std::vector<scene::Body> &, const scene::Domain &, double spacing);
 
   /// Interpolated transferred velocity at x; nodes without mass are left out. Zero far from
   /// material.

@@ -82,7 +82,7 @@ TEST(RectangleMesh, GradingCrowdsLinesAtHeldCornersOnly)
 
 TEST(OutlineMesh, FillsADiscWithConvexQuadrilaterals)
 {
-  const fe::QuadMesh mesh = fe::mesh_outline({disc(0.5)}, {0.05, 0.05});
+  const fe::QuadMesh mesh = fe::mesh_outline({disc(0.5)}, {}, {0.05, 0.05});
   EXPECT_GT(mesh.cells.size(), 200u);
   EXPECT_GT(smallest_corner(mesh), 0.);
   EXPECT_NEAR(area_of(mesh), M_PI * 0.25, 0.01 * M_PI * 0.25);
@@ -92,7 +92,7 @@ TEST(OutlineMesh, LeavesTheHoleOfARingOpen)
 {
   scene::Body ring;
   ring.shape = scene::Ring{{0., 0.}, 0.4, 1.};
-  const fe::QuadMesh mesh = fe::mesh_outline({ring}, {0.1, 0.1});
+  const fe::QuadMesh mesh = fe::mesh_outline({ring}, {}, {0.1, 0.1});
   EXPECT_GT(smallest_corner(mesh), 0.);
   EXPECT_NEAR(area_of(mesh), M_PI * (1. - 0.16), 0.02 * M_PI);
   for (const fe::Point &p : mesh.vertices)

@@ -152,6 +152,24 @@ TEST(Outline, OfOverlappingDiscsHasTheAreaOfTheirUnion)
               1e-5);
 }
 
+TEST(Outline, IsCutAtTheSymmetrySidesOfTheDomain)
+{
+  scene::Domain domain;
+  domain.size = {2., 2.};
+  domain.cells = {20, 20};
+  domain.boundary = {scene::Boundary::symmetry, scene::Boundary::no_flux, scene::Boundary::symmetry,
+                     scene::Boundary::no_flux};
+  const Body ring = body(scene::Ring{{0., 0.}, 0.5, 1.});
+  const auto lines = scene::outline({ring}, domain, 1e-3);
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_NEAR(area(lines), pi / 4. * (1. - 0.25), 1e-5);
+  for (const Point &p : lines.front())
+    EXPECT_TRUE(p[0] >= 0. && p[1] >= 0.);
+  // Without symmetry sides, or away from them, nothing changes.
+  domain.boundary = {};
+  EXPECT_NEAR(area(scene::outline({ring}, domain, 1e-3)), pi * (1. - 0.25), 1e-5);
+}
+
 TEST(Outline, OfSeparateBodiesHasOneLineEach)
 {
   EXPECT_EQ(scene::outline({body(scene::Disc{{0., 0.}, 1.}), body(scene::Disc{{3., 0.}, 1.})}, 0.1)
