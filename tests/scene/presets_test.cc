@@ -59,8 +59,8 @@ TEST(Preset, AddsNoModule)
 
 TEST(Preset, NeverScalesTheDensityOfWhatIsThrown)
 {
-  const std::string thrown =
-      with(bar_without_knobs, "size = [1.0, 2.0]\n", "size = [1.0, 2.0]\nvelocity = [\"1\", \"0\"]\n");
+  const std::string thrown = with(bar_without_knobs, "size = [1.0, 2.0]\n",
+                                  "size = [1.0, 2.0]\nvelocity = [\"1\", \"0\"]\n");
   EXPECT_FALSE(read(thrown, "draft").mpm->mach);
 }
 
