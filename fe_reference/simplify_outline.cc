@@ -38,6 +38,31 @@ namespace fe
       keep_between(open, first, split, tolerance, kept);
       keep_between(open, split, last, tolerance, kept);
     }
+
+    // What the outline would lose with its vertex k.
+    double sharpness(const Polyline &closed, const std::size_t k)
+    {
+      const std::size_t n = closed.size();
+      return distance_to_segment(closed[k], closed[(k + n - 1) % n], closed[(k + 1) % n]);
+    }
+
+    // Of two vertices closer than `gap` the flatter one goes: a corner, say where the body meets a
+    // symmetry side, must stay whatever comes just before it.
+    void part_close_pairs(Polyline &closed, const double gap)
+    {
+      for (std::size_t k = 0; k < closed.size() && closed.size() > 3;)
+      {
+        const std::size_t next = (k + 1) % closed.size();
+        if ((closed[next] - closed[k]).norm() >= gap)
+        {
+          ++k;
+          continue;
+        }
+        const std::size_t flatter = sharpness(closed, k) < sharpness(closed, next) ? k : next;
+        closed.erase(closed.begin() + static_cast<std::ptrdiff_t>(flatter));
+        k = k > 0 ? k - 1 : 0;
+      }
+    }
   } // namespace
 
   scene::Polyline simplify_outline(const scene::Polyline &outline, const double tolerance,
@@ -59,10 +84,9 @@ namespace fe
 
     Polyline result;
     for (std::size_t k = 0; k + 1 < open.size(); ++k)
-      if (kept[k] && (result.empty() || (open[k] - result.back()).norm() >= gap))
+      if (kept[k])
         result.push_back(open[k]);
-    while (result.size() > 1 && (result.back() - result.front()).norm() < gap)
-      result.pop_back();
+    part_close_pairs(result, gap);
     return result.size() < 3 ? outline : result;
   }
 } // namespace fe

@@ -99,6 +99,30 @@ TEST(OutlineMesh, LeavesTheHoleOfARingOpen)
     EXPECT_GT(p.norm(), 0.39);
 }
 
+TEST(OutlineMesh, KeepsTheCornersOnSymmetrySides)
+{
+  // Whatever the cell size: a ring's quarter that lost the corner at an axis would hang beside it.
+  scene::Domain domain;
+  domain.size = {2.4, 2.4};
+  domain.cells = {24, 24};
+  domain.boundary = {scene::Boundary::symmetry, scene::Boundary::no_flux, scene::Boundary::symmetry,
+                     scene::Boundary::no_flux};
+  scene::Body ring;
+  ring.shape = scene::Ring{{0., 0.}, 1., 2.};
+  for (const double size : {0.1, 0.13, 2. / 12., 0.2, 0.3})
+  {
+    const fe::QuadMesh mesh = fe::mesh_outline({ring}, domain, {size, size});
+    for (const fe::Point &corner :
+         {fe::Point(1., 0.), fe::Point(2., 0.), fe::Point(0., 1.), fe::Point(0., 2.)})
+    {
+      double nearest = 1.;
+      for (const fe::Point &vertex : mesh.vertices)
+        nearest = std::min(nearest, (vertex - corner).norm());
+      EXPECT_LT(nearest, 1e-9) << size;
+    }
+  }
+}
+
 TEST(Mesh, RefusesMaterialWithoutSupport)
 {
   scene::Scene scene = fe_test::solid_scene(1e6, {6, 2}, 1, 1);
