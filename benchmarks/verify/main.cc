@@ -63,7 +63,7 @@ namespace
     };
     auto *trade =
         app.add_subcommand("tradeoff", "error against cost for the settings of tradeoff.toml");
-    trade->add_option("case", a.name)->required();
+    trade->add_option("case", a.campaign.cases, "cases (default: all that can be traded)");
     add_common(trade);
     auto *map = app.add_subcommand("stability", "classes over the axes of stability.toml");
     map->add_option("case", a.campaign.cases, "cases (default: all that have a stability.toml)");
@@ -84,6 +84,28 @@ namespace
         "presets", "error and cost per preset and case, from what tradeoff measured");
     presets->add_option("--output", a.output, "where it was measured (default: results/full)");
     presets->add_option("--readme", a.readme, "write the table between the marks of this file");
+  }
+
+  /// The worst exit code of the cases; one that cannot be traded is only told of, unless it was
+  /// named.
+  int trade_all(const Places &places, const CampaignOptions &options)
+  {
+    int worst = 0;
+    for (const auto &name : options.cases.empty() ? case_names(places) : options.cases)
+      try
+      {
+        const int code = tradeoff(places, name, options);
+        if (code == 130)
+          return code;
+        worst = std::max(worst, code);
+      }
+      catch (const BadInput &error)
+      {
+        if (!options.cases.empty())
+          throw;
+        fmt::print(stderr, "{}: {}\n", name, error.what());
+      }
+    return worst;
   }
 
   int dispatch(CLI::App &app, Arguments &a, const std::string &program)
@@ -111,7 +133,7 @@ namespace
     if (a.campaign.cores <= 0)
       a.campaign.cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
     if (app.got_subcommand("tradeoff"))
-      return tradeoff(places, a.name, a.campaign);
+      return trade_all(places, a.campaign);
     if (app.got_subcommand("stability"))
       return stability(places, a.campaign);
     return run(places, a.campaign);
