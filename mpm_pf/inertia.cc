@@ -19,7 +19,7 @@ Inertia inertia(const World &world)
 
 std::string verdict_on_inertia(const World &world)
 {
-  if (!world.solid || !world.walls)
+  if (!world.solid || !world.walls || medium::compression(*world.walls) == 0.)
     return {};
   const Inertia now = inertia(world);
   const double alone = now.compression(), reached = medium::compression(*world.walls);

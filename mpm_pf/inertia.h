@@ -19,5 +19,5 @@ struct Inertia
 /// Of a world with a solid between walls.
 Inertia inertia(const World &);
 
-/// The same in words, for the record and the figures; empty for a world without a solid and walls.
+/// The same in words, for the record and the figures; empty where no wall has compressed a solid.
 std::string verdict_on_inertia(const World &);
