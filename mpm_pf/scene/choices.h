@@ -68,6 +68,10 @@ namespace scene
             {"pic", Transfer::pic},
             {"xpic2", Transfer::xpic2}};
   }
+  inline Words<StressUpdate> words(StressUpdate)
+  {
+    return {{"last", StressUpdate::last}, {"first", StressUpdate::first}};
+  }
   inline Words<Laplacian> words(Laplacian)
   {
     return {{"five_point", Laplacian::five_point}, {"nine_point", Laplacian::nine_point}};

@@ -14,10 +14,19 @@ namespace scene
                "quadratic splines bridge gaps up to two cells where uGIMP breaks up; they are made "
                "interpolating at held lines")
           .add("transfer", &Mpm::transfer, any(), "What goes between points and nodes.",
-               "an affine transfer neither tears as FLIP nor damps as PIC")
+               "an affine transfer neither tears as FLIP nor damps as PIC: a swinging cantilever "
+               "four cells high loses 0.3 % of its energy a period with tpic, 0.6 % with apic, 2 % "
+               "with flip and flip_fraction = 1, 16 % with 0.99, 75 % with xpic2, all with pic; "
+               "a collision over few cells wants flip with stress_update = first")
           .add("flip_fraction", &Mpm::flip_fraction, between(0., 1.),
                "Part of FLIP in a FLIP-PIC blend, with transfer = flip.",
                "the usual compromise between noise and damping")
+          .add("stress_update", &Mpm::stress_update, any(),
+               "Where in a step the stresses change: last, with the nodes' velocities after the "
+               "forces, or first, with those before; first goes with flip and xpic2.",
+               "last takes one pass each way a step, first two; last damps what flip would keep "
+               "(colliding discs on 20 x 20 cells lose 13 % of their energy, with first they end "
+               "within 3 %)")
           .add("anti_locking", &Mpm::anti_locking, any(),
                "Average the volumetric strain rate over each cell and relax point pressures to "
                "the cell mean.",

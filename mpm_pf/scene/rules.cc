@@ -36,7 +36,9 @@ namespace scene
         {"Each side has one wall at most, and none if it is periodic.", walls_stand_on_own_sides},
         {"A wall that starts by distance needs a phase field.", walls_know_when_to_start},
         // Solvers
-        {"flip_fraction belongs to transfer = \"flip\", pressure_relaxation to anti-locking.",
+        {"flip_fraction belongs to transfer = \"flip\", stress_update = \"first\" to flip and "
+         "xpic2, "
+         "pressure_relaxation to anti-locking.",
          transfer_keys_are_used},
         {"A Mach number needs a speed to refer to, a reference speed a Mach number.",
          mach_has_a_speed},

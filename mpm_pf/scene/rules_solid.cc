@@ -246,6 +246,13 @@ namespace scene
       in.complain(in.at("mpm", "flip_fraction"),
                   "flip_fraction has no use with transfer = \"" + word(mpm.transfer) + "\"",
                   "flip_fraction with transfer = \"flip\"", "remove it, or set the transfer");
+    const bool incremental = mpm.transfer == Transfer::flip || mpm.transfer == Transfer::xpic2;
+    if (mpm.stress_update == StressUpdate::first && !incremental)
+      in.complain(in.at("mpm", "stress_update"),
+                  "stress_update = \"first\" with transfer = \"" + word(mpm.transfer) +
+                      "\", which carries its own velocity gradient",
+                  "stress_update = \"first\" with transfer = \"flip\" or \"xpic2\"",
+                  "remove it, or set the transfer");
     const bool averaged = mpm.anti_locking.value_or(in.written("solid", "yield_stress"));
     if (in.written("mpm", "pressure_relaxation") && !averaged)
       in.complain(in.at("mpm", "pressure_relaxation"),

@@ -29,6 +29,11 @@ namespace scene
     pic,
     xpic2
   };
+  enum class StressUpdate
+  {
+    last,
+    first
+  };
 
   /// The material points, read by mpm_pf only.
   struct Mpm
@@ -36,7 +41,8 @@ namespace scene
     std::array<int, 2> points_per_cell{2, 2};
     ShapeFunction shape_function = ShapeFunction::quadratic_bspline;
     Transfer transfer = Transfer::tpic;
-    double flip_fraction = 0.99;           // of transfer = flip
+    double flip_fraction = 0.99; // of transfer = flip
+    StressUpdate stress_update = StressUpdate::last;
     std::optional<bool> anti_locking;      // empty: on for plastic solids
     double pressure_relaxation = 0.1;      // towards the cell mean, per step
     double step_fraction = 0.4;            // of dx/(c_p + |v|)

@@ -96,6 +96,19 @@ namespace solid
         smooth_velocity(solid.scheme, solid.supports.folds, solid.grid, solid.points);
     }
 
+    // Stresses from the velocities which the points bring, held as over the step to come.
+    void stresses_first(Solid &solid, const double dt)
+    {
+      points_to_nodes(solid);
+      Timed timed(solid, "nodes to points");
+      Grid &grid = solid.grid;
+      for (Node &node : grid.nodes)
+        node.motion[1] = node.motion[3] = 0.;
+      move_nodes(solid, dt);
+      hold(solid.supports, solid.scheme, solid.points, solid.fraction, grid, solid.time, dt, false);
+      nodes_to_points(solid, dt, Part::stress);
+    }
+
     void sort_points(Solid &solid)
     {
       Grid &grid = solid.grid;
@@ -179,11 +192,14 @@ namespace solid
     sort_points(solid);
     place(solid.supports, solid.tracers, solid.grid, solid.time);
     evaluate_body_force(solid.loads, solid.points, solid.fraction, solid.time);
+    const bool stress_first = solid.scheme.stress_first;
+    if (stress_first)
+      stresses_first(solid, dt);
     points_to_nodes(solid);
     nodes(solid, dt);
     {
       Timed timed(solid, "nodes to points");
-      nodes_to_points(solid, dt);
+      nodes_to_points(solid, dt, stress_first ? Part::motion : Part::all);
     }
     book_body_work(solid.loads, solid.points, dt);
     carry(solid.supports, solid.points, solid.tracers, solid.fraction, solid.time, dt);

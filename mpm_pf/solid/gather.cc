@@ -16,6 +16,11 @@ namespace solid
       alignas(64) double along_x[4 * chunk_points], along_y[4 * chunk_points];
     };
 
+    struct Velocities
+    {
+      Lanes x, y;
+    };
+
     // Points [k, end) of the chunk share the nine nodes of which first[b] is the first of a row.
     inline __attribute__((always_inline)) void sum_run(const ChunkWeights &x, const ChunkWeights &y,
                                                        const Velocity *const field,
@@ -63,6 +68,21 @@ namespace solid
       }
     }
 
+    // Where the gradient goes; returns the velocities of eight points.
+    inline __attribute__((always_inline)) Velocities put_gradient(const Sums &sums, Points &points,
+                                                                  const std::size_t k,
+                                                                  const std::size_t begin,
+                                                                  const std::size_t count)
+    {
+      const auto put = [&](Array<double> &to, const Lanes &from)
+      { store_some(&to[begin + k], from, count - k); };
+      const FourLanes along_x = load_quads(&sums.along_x[4 * k]);
+      const FourLanes along_y = load_quads(&sums.along_y[4 * k]);
+      put(points.lxx, along_x.b), put(points.lxy, along_y.a);
+      put(points.lyx, along_x.d), put(points.lyy, along_y.c);
+      return {along_x.a, along_x.c};
+    }
+
     void give(const Scheme &scheme, const Sums &velocity, const Sums &change, Points &points,
               const Moving &moving, const std::size_t offset, const std::size_t begin,
               const std::size_t count)
@@ -71,10 +91,7 @@ namespace solid
       {
         const auto put = [&](Array<double> &to, const Lanes &from)
         { store_some(&to[begin + k], from, count - k); };
-        auto [vx, lxx, vy, lyx] = load_quads(&velocity.along_x[4 * k]);
-        const FourLanes along_y = load_quads(&velocity.along_y[4 * k]);
-        put(points.lxx, lxx), put(points.lxy, along_y.a);
-        put(points.lyx, lyx), put(points.lyy, along_y.c);
+        auto [vx, vy] = put_gradient(velocity, points, k, begin, count);
         if (scheme.incremental())
         {
           const double f = flip(scheme);
@@ -103,6 +120,22 @@ namespace solid
         if (scheme.incremental())
           sum_nodes(chunk, grid, grid.change, change, count);
         give(scheme, velocity, change, points, moving, first - begin, first, count);
+      }
+    }
+
+    template <Shape shape>
+    void gather_slopes(const Scheme &scheme, const FoldTable &table, const Grid &grid,
+                       Points &points, const std::size_t begin, const std::size_t end)
+    {
+      Chunk<shape, false> chunk;
+      Sums velocity;
+      for (std::size_t first = begin; first < end; first += chunk_points)
+      {
+        const std::size_t count = std::min(chunk_points, end - first);
+        chunk.prepare(scheme, grid, table, points, first, count);
+        sum_nodes(chunk, grid, grid.velocity, velocity, count);
+        for (std::size_t k = 0; k < count; k += wide)
+          put_gradient(velocity, points, k, first, count);
       }
     }
 
@@ -143,6 +176,13 @@ namespace solid
                  gather_points<decltype(shape)::value>(scheme, table, grid, points, moving, begin,
                                                        end);
                });
+  }
+
+  void gather_gradient(const Scheme &scheme, const FoldTable &table, const Grid &grid,
+                       Points &points, const std::size_t begin, const std::size_t end)
+  {
+    with_shape(scheme.shape, [&](auto shape)
+               { gather_slopes<decltype(shape)::value>(scheme, table, grid, points, begin, end); });
   }
 
   void gather_affine(const Scheme &scheme, const FoldTable &table, const Grid &grid, Points &points,

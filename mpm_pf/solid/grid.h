@@ -69,6 +69,13 @@ namespace solid
              i < column_end[j - row_begin];
     }
     std::ptrdiff_t at(const int i, const int j) const { return offset[j - row_begin] + i; }
+    /// First and last + 1 of the columns of a row; equal outside the rows in use.
+    std::pair<int, int> columns(const int row) const
+    {
+      if (row < row_begin || row >= row_end)
+        return {0, 0};
+      return {column_begin[row - row_begin], column_end[row - row_begin]};
+    }
     /// First and last + 1 of the nodes of rows [first, end), which lie one behind the other.
     std::pair<std::ptrdiff_t, std::ptrdiff_t> range(const int first, const int end) const
     {

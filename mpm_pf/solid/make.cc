@@ -23,6 +23,7 @@ namespace solid
       Scheme scheme;
       scheme.shape = mpm.shape_function;
       scheme.transfer = mpm.transfer;
+      scheme.stress_first = mpm.stress_update == scene::StressUpdate::first;
       scheme.flip_fraction = mpm.transfer == Transfer::pic ? 0. : mpm.flip_fraction;
       for (int k = 0; k < 2; ++k)
         scheme.half_size[k] = 0.5 / mpm.points_per_cell[k];

@@ -31,6 +31,7 @@ namespace solid
     {
       Solid &solid;
       const Step step;
+      const Part part;
       CellMeans *const means;
       const bool apic = solid.scheme.transfer == Transfer::apic;
 
@@ -45,15 +46,20 @@ namespace solid
       {
         alignas(64) double vx[piece_points], vy[piece_points];
         const Moving by = solid.scheme.incremental() ? Moving{vx, vy} : Moving{};
-        gather(solid.scheme, solid.supports.folds, solid.grid, solid.points, by, p, q);
+        if (part == Part::stress)
+          gather_gradient(solid.scheme, solid.supports.folds, solid.grid, solid.points, p, q);
+        else
+          gather(solid.scheme, solid.supports.folds, solid.grid, solid.points, by, p, q);
         if (means)
           add_to_cells(*means, solid.points, solid.grid, step, b, p, q);
-        if (!apic)
+        if (!apic && part != Part::stress)
           move_points(b, by, p, q);
       }
 
       void stresses(const int b, const std::size_t p, const std::size_t q)
       {
+        if (part == Part::motion)
+          return;
         update_stress(solid.points, step, means, solid.shares[b], p, q);
         if (solid.points.may_split && solid.steps % stretch_interval == 0)
           stretch(solid.points, stretch_interval * step.dt, p, q);
@@ -66,11 +72,13 @@ namespace solid
     };
   } // namespace
 
-  void nodes_to_points(Solid &solid, const double dt)
+  void nodes_to_points(Solid &solid, const double dt, const Part part)
   {
     const Grid &grid = solid.grid;
-    solid.shares.assign(grid.blocks.size(), Share{});
-    Stages stages{solid, constants(solid, dt), solid.scheme.anti_locking ? &solid.cells : nullptr};
+    if (part != Part::motion)
+      solid.shares.assign(grid.blocks.size(), Share{});
+    const bool averaged = solid.scheme.anti_locking && part != Part::motion;
+    Stages stages{solid, constants(solid, dt), part, averaged ? &solid.cells : nullptr};
     CellMeans &cells = solid.cells;
     const auto pieces = [&](const int b, auto &&f)
     { for_pieces(grid.blocks[b], [&](const std::size_t p, const std::size_t q) { f(b, p, q); }); };

@@ -5,6 +5,13 @@ namespace solid
 {
   struct Solid;
 
-  /// Requires node velocities; fills solid.shares, one a block.
-  void nodes_to_points(Solid &, double dt);
+  enum class Part
+  {
+    all,
+    stress, // velocity gradient and stress, before the forces
+    motion  // velocity and position, after them
+  };
+
+  /// Requires node velocities; fills solid.shares, one a block (Part::motion adds to them).
+  void nodes_to_points(Solid &, double dt, Part part = Part::all);
 } // namespace solid

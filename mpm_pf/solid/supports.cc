@@ -71,7 +71,7 @@ namespace solid
 
     // Give a node the velocity v in the held components; the momentum that takes is the reaction.
     void give(Supports &supports, Support *support, Grid &grid, const std::ptrdiff_t n,
-              const std::array<bool, 2> &held, const Point &v, const double dt)
+              const std::array<bool, 2> &held, const Point &v, const bool book)
     {
       Node &node = grid.nodes[n];
       const double mass = grid.mass[n];
@@ -88,12 +88,11 @@ namespace solid
           node.motion[2 * c] = mass * v[c];
         }
       velocity = {now[0], now[1]};
-      if (!support)
+      if (!support || !book)
         return;
       support->impulse += impulse, support->call_impulse += impulse;
       supports.work += impulse.dot(v), supports.work_done += std::abs(impulse.dot(v));
       supports.speed = std::max(supports.speed, v.norm());
-      (void)dt;
     }
 
     // Where the material now at x came from, were it moved by the support alone.
@@ -106,7 +105,7 @@ namespace solid
     }
 
     void hold_line(Supports &supports, const HeldLine &line, const Fold &fold, Grid &grid,
-                   const double t, const double dt)
+                   const double t, const double dt, const bool book)
     {
       Support *const support = line.support < 0 ? nullptr : &supports.all[line.support];
       const bool uniform = !support || support->motion.uniform;
@@ -125,7 +124,7 @@ namespace solid
                           v = (support->motion.at(X, x, t + dt) - support->motion.at(X, x, t)) / dt;
                         }
                         if (!line.contact || touches(line, fold, grid, i, j, n, v))
-                          give(supports, support, grid, n, line.held, v, dt);
+                          give(supports, support, grid, n, line.held, v, book);
                       });
     }
   } // namespace
@@ -161,11 +160,11 @@ namespace solid
   }
 
   void hold(Supports &supports, const Scheme &scheme, const Points &points,
-            const Fraction &fraction, Grid &grid, const double t, const double dt)
+            const Fraction &fraction, Grid &grid, const double t, const double dt, const bool book)
   {
     supports.speed = 0.;
     for (std::size_t l = 0; l < supports.lines.size(); ++l)
-      hold_line(supports, supports.lines[l], supports.folds.lines[l], grid, t, dt);
+      hold_line(supports, supports.lines[l], supports.folds.lines[l], grid, t, dt, book);
     for (DrivenRegion &region : supports.driven)
     {
       Support &support = supports.all[region.support];
@@ -174,7 +173,7 @@ namespace solid
       for (std::size_t n = 0; n < region.sums.size(); ++n)
         if (const auto &[mass, px, py] = region.sums[n]; mass > 0.5 * grid.mass[n])
           give(supports, &support, grid, static_cast<std::ptrdiff_t>(n), held,
-               {px / mass, py / mass}, dt);
+               {px / mass, py / mass}, book);
     }
   }
 

@@ -105,12 +105,13 @@ namespace solid
   {
     const int along = 1 - line.axis;
     const auto column = [&](const double x) { return (x - grid.lower[along]) * grid.inverse_dx; };
-    // A symmetry side is as long as what is in use.
-    const double lowest = -16., highest = grid.cells[along] + 16.;
+    // However long the line (a symmetry side has no ends), only what is in use is looked at.
+    const auto [begin, end] =
+        line.axis == 1 ? grid.columns(row) : std::pair{grid.row_begin, grid.row_end};
     const int first =
-        static_cast<int>(std::ceil(std::max(lowest, column(line.lower) - reach - 1e-9)));
+        static_cast<int>(std::ceil(std::max<double>(begin, column(line.lower) - reach - 1e-9)));
     const int last =
-        static_cast<int>(std::floor(std::min(highest, column(line.upper) + reach + 1e-9)));
+        static_cast<int>(std::floor(std::min<double>(end - 1, column(line.upper) + reach + 1e-9)));
     for (int k = first; k <= last; ++k)
     {
       const int i = line.axis == 1 ? k : row, j = line.axis == 1 ? row : k;
@@ -128,9 +129,9 @@ namespace solid
   /// Lines to where they are at time t, and the folds into the grid.
   void place(Supports &, const Tracers &, Grid &, double t);
 
-  /// Node velocities after forces to what supports ask for over [t, t + dt]; reactions.
+  /// Node velocities after forces to what supports ask for over [t, t + dt]; reactions, if `book`.
   void hold(Supports &, const Scheme &, const Points &, const Fraction &, Grid &, double t,
-            double dt);
+            double dt, bool book = true);
 
   /// Points and tracers with prescribed positions to time t + dt.
   void carry(Supports &, Points &, Tracers &, const Fraction &, double t, double dt);

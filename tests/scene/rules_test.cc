@@ -72,6 +72,7 @@ reaction = "top"
       {"traction_of_nothing", plus(bar, "[[traction]]\non = \"left\"\n"), "[[traction]]",
        "nothing says which"},
       {"flip_fraction_unused", plus(bar, "flip_fraction = 0.9\n"), "flip_fraction", "tpic"},
+      {"stress_first_affine", plus(bar, "stress_update = \"first\"\n"), "stress_update", "tpic"},
       {"relaxation_unused", plus(bar, "anti_locking = false\npressure_relaxation = 0.5\n"),
        "pressure_relaxation", "anti-locking"},
       {"speed_without_mach", with(bar, "mach = 2e-3", "reference_speed = 1.0"), "reference_speed",
