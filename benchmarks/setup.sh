@@ -14,7 +14,7 @@ packages="git ca-certificates cmake ninja-build g++ pkg-config
   libhdf5-openmpi-dev openmpi-bin libopenmpi-dev libdeal.ii-dev libopenblas0-serial gmsh
   python3 python3-numpy python3-matplotlib python3-h5py python3-jinja2"
 # What the tests need beside them.
-test_packages="libgtest-dev python3-meshio python3-junitparser python3-jsonschema"
+test_packages="libgtest-dev python3-meshio python3-junitparser python3-jsonschema valgrind"
 
 # One line per phase with the seconds since the start, so that a log tells where the time went.
 phase() { printf '[%4d s] %s\n' "$SECONDS" "$*"; }

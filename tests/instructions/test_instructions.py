@@ -1,0 +1,61 @@
+"""A scene does not get dearer because another module was added to the program, and work follows the scene, not the domain."""
+
+import json
+import shutil
+import unittest
+
+import instructions
+
+TOLERANCE = 0.02
+
+
+def with_domain(name, scene, settings, size, cells, **more):
+    return dict(name=name, scene=scene, set=[*settings, f"domain.size={list(size)}", f"domain.cells={list(cells)}"], **more)
+
+
+class Instructions(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        if not shutil.which("valgrind"):
+            raise AssertionError("valgrind is not installed")
+        if not instructions.PROGRAM.is_file():
+            raise AssertionError(f"{instructions.PROGRAM} is not built: cmake --preset instructions && cmake --build --preset instructions --target mpm_pf")
+        cls.stored = json.loads(instructions.RUNS.read_text())["runs"]
+        # the same body in the corner of domains of 1, 2 and 4 times the size
+        bar = ["clock.end=0.01", "probe.outline.times=[0.01]", "probe.fields.times=[0.01]"]
+        bars = [with_domain(f"bar {n}", "shear/smoke.toml", bar, (5.0 * n, 2.4 * n), (50 * n, 24 * n)) for n in (1, 2, 4)]
+        # a seed in the corner of two domains, and one of four times the radius
+        end = ["clock.end=0.8", "probe.melt.every=0.8", "probe.contour.every=0.8", 'probe."tip east".every=0.8', 'probe."tip north".every=0.8']
+        seeds = [with_domain(f"seed {n}", "free_growth/smoke.toml", end, (64.0 * n, 64.0 * n), (160 * n, 160 * n), inside="grow(*") for n in (1, 2, 4)]
+        large = with_domain("large seed", "free_growth/smoke.toml", [*end, "body.seed.radius=32.0"], (256.0, 256.0), (640, 640), inside="grow(*")
+        cls.others = [*bars, *seeds, large]
+        cls.numbers = instructions.count_all([run for run in cls.stored if "instructions" in run] + cls.others)
+
+    def test_no_run_got_dearer(self):
+        counted = [run for run in self.stored if "instructions" in run]
+        if not counted:
+            self.skipTest("no counts are stored yet: tests/instructions/instructions.py --accept")
+        for run in counted:
+            with self.subTest(run["name"]):
+                now = self.numbers[run["name"]]
+                self.assertLess(
+                    abs(now / run["instructions"] - 1),
+                    TOLERANCE,
+                    f'{now} instructions, {run["instructions"]} stored; if the change is meant: tests/instructions/instructions.py --accept "{run["name"]}"',
+                )
+
+    def test_mechanics_cost_follows_the_body_not_the_domain(self):
+        first = self.numbers["bar 1"]
+        for n in (2, 4):
+            self.assertLess(abs(self.numbers[f"bar {n}"] / first - 1), 0.10, self.numbers)
+
+    def test_growth_cost_follows_interface_and_heat_more_than_the_domain(self):
+        # judging the tiles, every 16th step, looks at every node: sixteen times the domain costs twice as much, not sixteen times
+        first = self.numbers["seed 1"]
+        self.assertLess(self.numbers["seed 2"] / first, 1.5, self.numbers)
+        self.assertLess(self.numbers["seed 4"] / first, 2.5, self.numbers)
+        self.assertGreater(self.numbers["large seed"] / self.numbers["seed 4"], 1.5, "four times the interface")
+
+
+if __name__ == "__main__":
+    unittest.main()
