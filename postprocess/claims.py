@@ -190,7 +190,7 @@ def against_free(run, free):
 
 def draw(claims, pyplot, style, title):
     """The claims as a table, so that they stand in the report beside their figure."""
-    wrapped = [[fold(c.sentence, 44), fold(c.found, 26), fold(c.measured, 54)] for c in claims]
+    wrapped = [[fold(c.sentence, 40), fold(c.found, 26), fold(c.measured, 54)] for c in claims]
     lines = [max(cell.count("\n") + 1 for cell in row) for row in wrapped]
     height = 0.155 * (sum(lines) + len(lines)) + 0.6
     figure, axes = pyplot.subplots(figsize=(style.DOUBLE, height))

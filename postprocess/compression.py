@@ -20,7 +20,7 @@ def time_of(run, compression):
         reached = np.nonzero(table["compression"] >= compression * (1 - 1e-9))[0]
         if len(moving) == 0 or len(reached) == 0:
             raise record.Missing(f"{run.label}: the compression never reaches {100 * compression:g} %")
-        return float(table.time[max(moving[0] - 1, 0)] if compression == 0 else table.time[reached[0]])
+        return float(table.time[moving[0] if compression == 0 else reached[0]])
     raise record.Missing(f'{run.label}: no table has a column "compression"')
 
 
@@ -41,7 +41,7 @@ def nearest_snapshot(run, field, time, kind=None):
 def nearest_outline(run, name, time):
     times = run.times("outlines", name)
     index = int(np.argmin(np.abs(times - time)))
-    if abs(times[index] - time) > 0.01 * time:
+    if abs(times[index] - time) > 0.015 * time:
         raise record.Missing(f"{run.label}: no outline {name} near t = {time:g}")
     return run.outline(name, times[index])
 
