@@ -100,7 +100,7 @@ class Programs(unittest.TestCase):
         return found
 
     def test_resumed_run_is_the_uninterrupted_one_to_the_bit(self):
-        scene = self.scene(steps=150)
+        scene = self.scene(steps=3000)  # seconds, so that the signal finds it running
         code, text = self.run_to_end(self.command(scene, "whole"))
         self.assertEqual(code, 0, text)
 
