@@ -1,38 +1,23 @@
 #include "formula.h"
 
-#include <cmath>
-
 #include <fmt/format.h>
 #include <muParser.h>
 
 #include "quantity.h"
+#include "scene/special_functions.h"
 #include "section.h"
 
 namespace verify
 {
   namespace
   {
-    // Theory of diffusion is written in these.
-    double error_function(const double x)
-    {
-      return std::erf(x);
-    }
-    double complementary_error_function(const double x)
-    {
-      return std::erfc(x);
-    }
-    double exponential_integral(const double x)
-    {
-      return -std::expint(-x);
-    }
-
     mu::Parser parser_of(const std::string &text, const Constants &constants)
     {
       mu::Parser parser;
       parser.DefineConst("pi", 3.14159265358979323846);
-      parser.DefineFun("erf", error_function);
-      parser.DefineFun("erfc", complementary_error_function);
-      parser.DefineFun("E1", exponential_integral);
+      parser.DefineFun("erf", scene::error_function);
+      parser.DefineFun("erfc", scene::complementary_error_function);
+      parser.DefineFun("E1", scene::exponential_integral);
       for (const auto &[name, value] : constants)
         parser.DefineConst(name, value);
       parser.SetExpr(text);

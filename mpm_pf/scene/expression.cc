@@ -7,6 +7,7 @@
 #include <muParser.h>
 
 #include "scene/reader.h"
+#include "scene/special_functions.h"
 
 namespace scene
 {
@@ -32,21 +33,6 @@ namespace scene
         return t;
       const double s = t / T;
       return s >= 1. ? t - 0.5 * T : T * s * s * s * s * (2.5 + s * (-3. + s));
-    }
-
-    // Fields that diffuse from planes and cylinders start from these.
-    double error_function(const double x)
-    {
-      return std::erf(x);
-    }
-    double complementary_error_function(const double x)
-    {
-      return std::erfc(x);
-    }
-    /// E1(x), the integral of exp(-s)/s from x to infinity, x > 0.
-    double exponential_integral(const double x)
-    {
-      return -std::expint(-x);
     }
 
     [[noreturn]] void refuse(const Expression &expression, const std::string &cause)
