@@ -52,21 +52,33 @@ namespace solid
     }
   }
 
-  void carry_driven(const DrivenRegion &region, const Motion &motion, Points &points,
+  void carry_driven(Supports &supports, const DrivenRegion &region, Points &points,
                     const Fraction &fraction, const double t, const double dt)
   {
+    Support &support = supports.all[region.support];
+    const Motion &motion = support.motion;
+    Point impulse = Point::Zero();
+    double work = 0.;
     std::size_t k = 0;
     for (std::size_t p = 0; p < points.active; ++p)
     {
       if (!(points.regions[p] & (1u << region.region)))
         continue;
-      const Point X = fraction.initial(points, p), step = region.increment[k++];
+      const Point X = fraction.initial(points, p), v = region.increment[k++] / dt;
       const Point u = motion.at(X, {points.x[p], points.y[p]}, t + dt);
-      if (motion.holds(0))
-        points.x[p] = X[0] + u[0], points.vx[p] = step[0] / dt;
-      if (motion.holds(1))
-        points.y[p] = X[1] + u[1], points.vy[p] = step[1] / dt;
+      for (int c = 0; c < 2; ++c)
+      {
+        if (!motion.holds(c))
+          continue;
+        (c == 0 ? points.x : points.y)[p] = X[c] + u[c];
+        double &velocity = (c == 0 ? points.vx : points.vy)[p];
+        const double given = points.mass[p] * (v[c] - velocity);
+        impulse[c] += given, work += given * v[c];
+        velocity = v[c];
+      }
     }
+    support.impulse += impulse, support.call_impulse += impulse;
+    supports.work += work, supports.work_done += std::abs(work);
   }
 
   double largest_prescribed_speed(const Supports &supports, const double end)

@@ -200,6 +200,6 @@ namespace solid
             tracer.x = tracer.X + u;
     }
     for (const DrivenRegion &region : supports.driven)
-      carry_driven(region, supports.all[region.support].motion, points, fraction, t, dt);
+      carry_driven(supports, region, points, fraction, t, dt);
   }
 } // namespace solid

@@ -139,7 +139,11 @@ namespace solid
   /// Driven points' displacement increments on the nodes, and their exact positions afterwards.
   void project(DrivenRegion &, const Motion &, const Scheme &, const FoldTable &, const Points &,
                const Fraction &, const Grid &, double t, double dt);
-  void carry_driven(const DrivenRegion &, const Motion &, Points &, const Fraction &, double t,
+
+  /// Driven points to where they belong at t + dt. Nodes that they share with free points are not
+  /// held, so that what the points bring back from the grid still differs from what is prescribed;
+  /// giving it to them takes an impulse and work, which the support's reaction and account get.
+  void carry_driven(Supports &, const DrivenRegion &, Points &, const Fraction &, double t,
                     double dt);
 
   /// Largest speed that any support ever asks for up to `end`, by samples.
