@@ -80,6 +80,11 @@ def image_of(run, field, time):
     return x, y, values
 
 
+def closed(phi):
+    """phi for contours: what lies behind a wall (NaN) counts as melt, so that the line closes along the wall."""
+    return np.nan_to_num(phi, nan=-1.0)
+
+
 def verdict(run):
     """What the run says about its own inertia and resolution, to be read beside its figures."""
     return "\n".join(filter(None, (run.text("inertia"), run.text("warning"))))
@@ -111,7 +116,7 @@ def field_table(run, compressions):
         drawn = panels.image(one, x, y, values, norm=norms[field], cmap=style.MAPS[field])
         px, py, phi = images[row, "phi"]
         if field != "phi":
-            one.contour(px, py, phi, [0.0], colors="black", linewidths=0.25)
+            one.contour(px, py, closed(phi), [0.0], colors="black", linewidths=0.25)
         one.set(xlim=(px[0], px[-1]), ylim=(py[0], py[-1]))
         return drawn
 
@@ -121,7 +126,7 @@ def field_table(run, compressions):
     curves = []
     for (row, field), (x, y, values) in images.items():
         if field == "phi":
-            lines = pyplot.figure().add_subplot().contour(x, y, values, [0.0])
+            lines = pyplot.figure().add_subplot().contour(x, y, closed(values), [0.0])
             pyplot.close()
             for segment in lines.allsegs[0]:
                 curves.append(panels.Curve(row, "phi = 0", segment[:, 0], segment[:, 1]))
