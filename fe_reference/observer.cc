@@ -8,6 +8,7 @@
 #include "scene/geometry.h"
 #include "scene/quantities.h"
 #include "scene/schedule.h"
+#include "scene/units.h"
 
 namespace fe
 {
@@ -154,8 +155,7 @@ namespace fe
   {
     if (!writer)
       return;
-    const bool si = scene.units == scene::Units::si;
-    const std::string energy = si ? "J/m" : "sigma_Y*W0^2";
+    const std::string energy = scene::unit_text(scene::Dimension::energy, scene.units);
     const Energies &e = step.pace.energies;
     double area = 0.;
     const Discretisation &d = problem.mesh;
@@ -175,17 +175,18 @@ namespace fe
           area += (ab[0] * ac[1] - ab[1] * ac[0]) / 6.;
         }
       }
-    writer->table(
-        name,
-        {{"external_work", "internal_work", "elastic_energy", "plastic_work", "smallest_jacobian",
-          "smallest_nodal_jacobian", "folded_cells", "area", "load_factor", "newton_iterations",
-          "residual"},
-         {energy, energy, energy, energy, "1", "1", "1", si ? "m^2" : "W0^2", "1", "1", "1"}},
-        step.state.time,
-        {e.external, e.elastic + e.plastic, e.elastic, e.plastic, step.state.smallest_jacobian,
-         smallest_nodal, static_cast<double>(folded_now), area, step.state.time / scene.clock.end,
-         static_cast<double>(step.newton.iterations),
-         step.newton.residuals.empty() ? 0. : step.newton.residuals.back()});
+    writer->table(name,
+                  {{"external_work", "internal_work", "elastic_energy", "plastic_work",
+                    "smallest_jacobian", "smallest_nodal_jacobian", "folded_cells", "area",
+                    "load_factor", "newton_iterations", "residual"},
+                   {energy, energy, energy, energy, "1", "1", "1",
+                    scene::unit_text(scene::Dimension::area, scene.units), "1", "1", "1"}},
+                  step.state.time,
+                  {e.external, e.elastic + e.plastic, e.elastic, e.plastic,
+                   step.state.smallest_jacobian, smallest_nodal, static_cast<double>(folded_now),
+                   area, step.state.time / scene.clock.end,
+                   static_cast<double>(step.newton.iterations),
+                   step.newton.residuals.empty() ? 0. : step.newton.residuals.back()});
   }
 
   void Observer::energy_row(const Step &step)
@@ -209,8 +210,8 @@ namespace fe
           row[c] += state.internal[2 * n + c] - state.external[2 * n + c];
           row[2 + c] += state.u[2 * n + c] / static_cast<double>(held.nodes[c].size());
         }
-      const bool si = scene.units == scene::Units::si;
-      const std::string force = si ? "N/m" : "sigma_Y*W0", length = si ? "m" : "W0";
+      const std::string force = scene::unit_text(scene::Dimension::force, scene.units);
+      const std::string length = scene::unit_text(scene::Dimension::length, scene.units);
       writer->table(name,
                     {{"force_x", "force_y", "displacement_x", "displacement_y"},
                      {force, force, length, length}},

@@ -3,6 +3,8 @@
 #include <map>
 #include <stdexcept>
 
+#include "scene/units.h"
+
 namespace fe
 {
   namespace
@@ -73,19 +75,9 @@ namespace fe
 
   record::Columns columns_of(const std::vector<std::string> &names, const scene::Units units)
   {
-    const bool si = units == scene::Units::si;
     record::Columns columns{names, {}};
     for (const std::string &name : names)
-      if (name == "von_mises" || name == "pressure" || name.rfind("stress_", 0) == 0)
-        columns.units.push_back(si ? "Pa" : "sigma_Y");
-      else if (name.rfind("displacement_", 0) == 0)
-        columns.units.push_back(si ? "m" : "W0");
-      else if (name.rfind("velocity_", 0) == 0)
-        columns.units.push_back(si ? "m/s" : "W0/tau0");
-      else if (name == "area")
-        columns.units.push_back(si ? "m^2" : "W0^2");
-      else
-        columns.units.push_back("1");
+      columns.units.push_back(scene::column_unit(scene::dimension_of(name), units));
     return columns;
   }
 } // namespace fe

@@ -6,7 +6,7 @@
 
 #include "medium/contour.h"
 #include "melt/ledger.h"
-#include "scene/keys.h"
+#include "scene/units.h"
 
 namespace
 {

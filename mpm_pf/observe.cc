@@ -7,8 +7,8 @@
 #include "inertia.h"
 #include "melt_history.h"
 #include "melt_samples.h"
-#include "scene/keys.h"
 #include "scene/quantities.h"
+#include "scene/units.h"
 #include "solid/growing.h"
 #include "solid/moving_walls.h"
 
@@ -20,17 +20,8 @@ namespace
     record::Columns columns;
     for (const auto &name : probe.of)
     {
-      const auto starts = [&](const char *text) { return name.rfind(text, 0) == 0; };
-      using scene::Dimension;
-      const Dimension dimension = name == "von_mises" || name == "pressure" || starts("stress_")
-                                      ? Dimension::stress
-                                  : starts("displacement_") ? Dimension::length
-                                  : starts("velocity_")     ? Dimension::speed
-                                  : name == "area"          ? Dimension::area
-                                                            : Dimension::none;
-      const std::string unit = scene::unit_text(dimension, world.scene->units);
       columns.names.push_back(name);
-      columns.units.push_back(unit.empty() ? "1" : unit);
+      columns.units.push_back(scene::column_unit(scene::dimension_of(name), world.scene->units));
     }
     return columns;
   }
@@ -71,10 +62,11 @@ namespace
     return flat;
   }
 
-  void add(HistoryColumns &row, const solid::History &history)
+  void add(HistoryColumns &row, const solid::History &history, const World &world)
   {
     for (std::size_t k = 0; k < history.row.size(); ++k)
-      row.add(history.columns.names[k], history.columns.units[k], history.row[k]);
+      row.add(history.names[k], scene::column_unit(history.dimensions[k], world.scene->units),
+              history.row[k]);
   }
 
   /// "wall top" -> "wall_top": expressions of a check know columns by such names.
@@ -179,8 +171,8 @@ void observe(const scene::HistoryProbe &, const scene::Probe &probe, const World
   if (world.walls)
     add_walls(row, world);
   if (world.solid)
-    add(row, solid::history(*world.solid));
+    add(row, solid::history(*world.solid), world);
   if (world.solid && world.growth)
-    add(row, solid::growth_history(*world.solid));
+    add(row, solid::growth_history(*world.solid), world);
   writer.table(probe.name, {row.names, row.units}, world.time, row.values);
 }

@@ -5,8 +5,8 @@
 #include <type_traits>
 
 #include "observe.h"
-#include "scene/keys.h"
 #include "scene/schedule.h"
+#include "scene/units.h"
 
 Recorder::Recorder(const scene::Scene &scene, record::Writer &out)
     : writer(out), tolerance(1e-9 * scene.clock.end)
@@ -156,8 +156,9 @@ void Recorder::observe_tip(const scene::TipProbe &probe, const scene::Probe &nam
 void Recorder::observe_reaction(ReactionWatch &watch, const World &world)
 {
   const auto reaction = solid::reaction(*world.solid, watch.support);
-  const bool si = world.scene->units == scene::Units::si;
-  const std::string force = si ? "N/m" : "sigma_Y*W0", length = si ? "m" : "W0";
+  const auto unit = [&](const scene::Dimension dimension)
+  { return scene::unit_text(dimension, world.scene->units); };
+  const std::string force = unit(scene::Dimension::force), length = unit(scene::Dimension::length);
   const record::Columns columns{{"force_x", "force_y", "displacement_x", "displacement_y"},
                                 {force, force, length, length}};
   for (const auto &row : watch.window.see(world.time, reaction.impulse, reaction.displacement))

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "capacity.h"
 #include "scene/interface_distance.h"
@@ -20,10 +21,10 @@ namespace
   }
 
   /// phi = tanh(d / (sqrt(2) W)), d the signed distance to the bodies: the equilibrium profile.
-  Field<double> phase_of_bodies(const scene::Scene &scene, const Mesh &mesh)
+  Field<double> phase_of_bodies(const scene::Scene &scene, const Mesh &mesh,
+                                const scene::InterfaceDistance &distance)
   {
     Field<double> phi(mesh);
-    const scene::InterfaceDistance distance = distance_to_interface(scene);
     for (int j = 0; j < mesh.nodes[1]; ++j)
       for (int i = 0; i < mesh.nodes[0]; ++i)
         phi(i, j) =
@@ -34,12 +35,12 @@ namespace
 
   /// Gradient of that profile along `axis`: (1 - phi^2)/(sqrt(2) W) times the slope of the
   /// distance.
-  Field<double> phase_gradient(const scene::Scene &scene, const Mesh &mesh, const int axis,
+  Field<double> phase_gradient(const scene::Scene &scene, const Mesh &mesh,
+                               const scene::InterfaceDistance &distance, const int axis,
                                const Field<double> &phi)
   {
     Field<double> gradient(mesh);
     const double small = 1e-5 * mesh.spacing[axis];
-    const scene::InterfaceDistance distance = distance_to_interface(scene);
     scene::Point shift = scene::Point::Zero();
     shift[axis] = small;
     for (int j = 0; j < mesh.nodes[1]; ++j)
@@ -100,7 +101,8 @@ namespace
                                             scene.noise->seed, scene.noise->mirrored});
   }
 
-  void build_motion(World &world)
+  /// `distance`: to the interface of the phase field, if there is one.
+  void build_motion(World &world, const std::optional<scene::InterfaceDistance> &distance)
   {
     const scene::Scene &scene = *world.scene;
     const auto scheme = scene.advection ? scene.advection->scheme : scene::AdvectionScheme::cip;
@@ -108,8 +110,8 @@ namespace
     world.advection = std::make_unique<medium::Advection>(*world.mesh, scheme);
     if (world.phase && (!scene.advection || scene.advection->analytic_gradients))
       world.advection->start(world.phase->value, world.phase->gradients,
-                             phase_gradient(scene, *world.mesh, 0, world.phase->value),
-                             phase_gradient(scene, *world.mesh, 1, world.phase->value));
+                             phase_gradient(scene, *world.mesh, *distance, 0, world.phase->value),
+                             phase_gradient(scene, *world.mesh, *distance, 1, world.phase->value));
     if (scene.imposed)
     {
       world.imposed = std::make_unique<Imposed>(*scene.imposed);
@@ -126,10 +128,12 @@ World build_world(const scene::Scene &scene, const int threads, const bool force
   world.threads = threads;
   if (scene.phase_field || scene.heat || !scene.walls.empty())
     world.mesh = std::make_unique<Mesh>(medium::make_mesh(scene.domain));
+  std::optional<scene::InterfaceDistance> distance;
   if (scene.phase_field)
   {
+    distance = distance_to_interface(scene);
     world.phase = std::make_unique<CarriedField>();
-    world.phase->value = phase_of_bodies(scene, *world.mesh);
+    world.phase->value = phase_of_bodies(scene, *world.mesh, *distance);
   }
   if (scene.heat)
   {
@@ -146,7 +150,7 @@ World build_world(const scene::Scene &scene, const int threads, const bool force
   if (!scene.walls.empty())
     world.walls = std::make_unique<medium::Walls>(medium::make_walls(scene.walls, *world.mesh));
   if (scene.imposed || (scene.solid && scene.phase_field))
-    build_motion(world);
+    build_motion(world, distance);
   if (scene.solid && scene.phase_field)
     world.extension = std::make_unique<medium::Extension>(
         *world.mesh, scene.extension.value_or(scene::Extension{}), scene.phase_field->width);

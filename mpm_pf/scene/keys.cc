@@ -6,25 +6,6 @@
 
 namespace scene
 {
-  std::string unit_text(const Dimension dimension, const Units units)
-  {
-    // Indexed by Dimension: SI, then lengths in W0, times in tau0, stresses in sigma_Y.
-    static const std::array<std::array<const char *, 2>, 12> texts{
-        {{"", ""},
-         {"m", "W0"},
-         {"m^2", "W0^2"},
-         {"s", "tau0"},
-         {"m/s", "W0/tau0"},
-         {"s/m", "tau0/W0"},
-         {"m/s^2", "W0/tau0^2"},
-         {"Pa", "sigma_Y"},
-         {"kg/m^3", "sigma_Y tau0^2/W0^2"},
-         {"Pa s", "sigma_Y tau0"},
-         {"m^2/s", "W0^2/tau0"},
-         {"degrees", "degrees"}}};
-    return texts.at(static_cast<std::size_t>(dimension)).at(units == Units::si ? 0 : 1);
-  }
-
   bool Range::holds(const double value) const
   {
     return (with_lower ? value >= lower : value > lower) &&

@@ -11,30 +11,11 @@
 #include <vector>
 
 #include "scene/complaints.h"
-#include "scene/domain.h"
+#include "scene/units.h"
 #include "scene/value.h"
 
 namespace scene
 {
-  enum class Dimension
-  {
-    none,
-    length,
-    area,
-    time,
-    speed,
-    inverse_speed,
-    acceleration,
-    stress,
-    density,
-    viscosity,
-    diffusivity,
-    degrees
-  };
-
-  /// "Pa" or "sigma_Y"; "" for pure numbers.
-  std::string unit_text(Dimension, Units);
-
   /// What numbers a key takes; expressions are checked only where they are constant.
   struct Range
   {

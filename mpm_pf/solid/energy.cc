@@ -67,21 +67,14 @@ namespace solid
     const double internal = elastic + solid.energy.dissipated;
     const Point p = momentum(solid);
     History history;
-    history.columns.names = {
-        "kinetic_energy", "elastic_energy", "plastic_dissipation", "external_work",
-        "energy_balance", "momentum_x",     "momentum_y",          "area",
-        "mass",           "largest_speed",  "kinetic_to_internal"};
-    history.columns.units = {"energy/length",
-                             "energy/length",
-                             "energy/length",
-                             "energy/length",
-                             "energy/length",
-                             "momentum/length",
-                             "momentum/length",
-                             "area",
-                             "mass/length",
-                             "speed",
-                             "1"};
+    using scene::Dimension;
+    history.names = {"kinetic_energy", "elastic_energy", "plastic_dissipation", "external_work",
+                     "energy_balance", "momentum_x",     "momentum_y",          "area",
+                     "mass",           "largest_speed",  "kinetic_to_internal"};
+    history.dimensions = {Dimension::energy,   Dimension::energy, Dimension::energy,
+                          Dimension::energy,   Dimension::energy, Dimension::momentum,
+                          Dimension::momentum, Dimension::area,   Dimension::mass,
+                          Dimension::speed,    Dimension::none};
     history.row = {kinetic,
                    elastic,
                    solid.energy.dissipated,

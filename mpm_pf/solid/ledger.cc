@@ -197,9 +197,11 @@ namespace solid
   {
     const Ledger now = ledger(solid);
     History history;
-    history.columns.names = {"grown_area", "melted_area",   "owed_area",      "area_imbalance",
-                             "area_drift", "seeded_points", "removed_points", "split_points"};
-    history.columns.units = {"area", "area", "area", "area", "1", "1", "1", "1"};
+    history.names = {"grown_area", "melted_area",   "owed_area",      "area_imbalance",
+                     "area_drift", "seeded_points", "removed_points", "split_points"};
+    using scene::Dimension;
+    history.dimensions = {Dimension::area, Dimension::area, Dimension::area, Dimension::area,
+                          Dimension::none, Dimension::none, Dimension::none, Dimension::none};
     history.row = {now.grown,
                    now.melted,
                    now.owed,

@@ -142,8 +142,8 @@ namespace solid
       }
     };
 
-    // Points that a fast front has left behind in the melt, wherever within reach; else those of the
-    // smallest square of cells around the debt that has any. Outermost first.
+    // Points that a fast front has left behind in the melt, wherever within reach; else those of
+    // the smallest square of cells around the debt that has any. Outermost first.
     std::vector<Candidate> outermost(const Solid &solid, const medium::CellAreas &areas,
                                      const Buckets &buckets, const std::vector<char> &gone,
                                      const medium::CellValue &debt)

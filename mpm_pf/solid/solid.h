@@ -18,6 +18,7 @@
 
 #include "record/writer.h"
 #include "scene/scene.h"
+#include "scene/units.h"
 
 namespace solid
 {
@@ -109,7 +110,8 @@ namespace solid
   /// momentum_x, momentum_y, area, mass, largest_speed, kinetic_to_internal.
   struct History
   {
-    record::Columns columns;
+    std::vector<std::string> names;
+    std::vector<scene::Dimension> dimensions;
     std::vector<double> row;
   };
   History history(const Solid &);

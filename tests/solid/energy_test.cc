@@ -16,8 +16,8 @@ namespace
     const solid::History history = solid::history(solid);
     double sum = 0.;
     for (std::size_t k = 0; k < history.row.size(); ++k)
-      if (history.columns.names[k] == "kinetic_energy" ||
-          history.columns.names[k] == "elastic_energy")
+      if (history.names[k] == "kinetic_energy" ||
+          history.names[k] == "elastic_energy")
         sum += history.row[k];
     return sum;
   }

@@ -15,7 +15,7 @@ namespace
   {
     const solid::History history = solid::history(solid);
     for (std::size_t k = 0; k < history.row.size(); ++k)
-      if (history.columns.names[k] == name)
+      if (history.names[k] == name)
         return history.row[k];
     throw std::out_of_range(name);
   }

@@ -193,7 +193,7 @@ TEST(Walls, ComingFromAfarPressAsFromContact)
     const History seen = history(press.solid);
     const auto value = [&](const std::string &name)
     {
-      const auto &names = seen.columns.names;
+      const auto &names = seen.names;
       return seen.row[std::find(names.begin(), names.end(), name) - names.begin()];
     };
     EXPECT_LT(value("energy_balance"), 0.1 * value("elastic_energy")) << bottom;
