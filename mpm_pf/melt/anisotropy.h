@@ -8,51 +8,51 @@
 // angle of the interface normal and crystal_angle the field of Eq. (3), entering only through cos
 // and sin of four times it. The printed W(alpha) = alpha xi(alpha) is a misprint for W0 xi.
 //
-// Where the gradient vanishes the angle is meaningless: 1/s^2 is guarded so that xi tends to 1.
-// Because s^2 is a fourth power of a gradient, the guard depends on the number type: gradients
-// (differences of phi from node to node) below the guard's fourth root count as none.
+// Where the gradient vanishes the angle is meaningless. In the flux s is guarded, and the flux goes
+// to zero with the gradient whatever xi is; in the relaxation s^2 is, and xi tends to 1. Because
+// these are powers of a gradient, the guard depends on the number type: gradients (differences of
+// phi from node to node) below it count as none.
 //
 // Every function here gives the same bits for a mirrored or transposed argument, so that a
 // four-fold crystal stays four-fold to the last bit.
 #pragma once
 
+#include <cmath>
+
 namespace melt
 {
   template <class Real>
-  inline constexpr Real gradient_guard = Real(1e-40); // node-to-node differences below 1e-10
+  inline constexpr Real gradient_guard = Real(1e-10);
   template <>
-  inline constexpr float gradient_guard<float> = 1e-20f; // 1e-5: beyond float's rounding of phi
+  inline constexpr float gradient_guard<float> = 1e-5f; // beyond float's rounding of phi
 
-  /// Anisotropic part of the flux of Eq. (1) through a face, over W0^2:
-  ///   (xi^2 - 1) n - xi xi' t,   xi' = d xi/d theta_n = -4 eps sin 4(theta_n - crystal_angle);
-  /// the isotropic rest, n, is taken by the Laplacian. n, t: gradient normal to and along the face;
-  /// cosine, sine of four times the crystal angle. For a face normal to y pass -sine: there (n, t)
-  /// is a left-handed pair.
+  /// Flux of Eq. (1) through a face, over W0^2:
+  ///   (xi^2 - 1) n - xi xi' t + isotropic n,   xi' = d xi/d theta_n = -4 eps sin 4(theta_n - ...);
+  /// the rest of the isotropic part, (1 - isotropic) n, is that of the Laplacian's corners. n, t:
+  /// gradient normal to and along the face; cosine, sine: eps times those of four times the crystal
+  /// angle. For a face normal to y pass -sine: there (n, t) is a left-handed pair.
   template <class Real>
-  inline Real anisotropic_flux(Real n, Real t, Real cosine, Real sine, Real eps)
+  inline Real face_flux(Real n, Real t, Real cosine, Real sine, Real isotropic)
   {
-    const Real nn = n * n, tt = t * t, s = nn + tt, nt = n * t;
-    const Real square = s * s;
-    const Real inverse = eps / (square + gradient_guard<Real>);
-    const Real c4 = square - 8 * (nn * tt), s4 = 4 * nt * (nn - tt);
-    const Real e_c = (c4 * cosine + s4 * sine) * inverse; // xi - 1
-    const Real e_s = (s4 * cosine - c4 * sine) * inverse; // -xi'/4
-    const Real xi = 1 + e_c;
-    return e_c * (1 + xi) * n + 4 * xi * e_s * t;
+    const Real inverse = 1 / (n * n + t * t + gradient_guard<Real> * gradient_guard<Real>);
+    const Real c2 = (n * n - t * t) * inverse, half_s2 = n * t * inverse;
+    const Real p = half_s2 * half_s2, q = c2 * half_s2; // cos 4 theta_n = 1 - 8 p, sin = 4 q
+    const Real excess = cosine - 8 * cosine * p + 4 * sine * q;        // xi - 1
+    const Real turning = 16 * cosine * q + (32 * sine * p - 4 * sine); // -xi'
+    return n * (excess * (excess + 2) + isotropic) + turning * t * (excess + 1);
   }
 
-  /// tau0/tau = 1/xi^2 at a node from its gradient (gx, gy).
+  /// tau0/tau = 1/xi^2 at a node from its gradient (gx, gy), up to any factor.
   template <class Real>
-  inline Real inverse_relaxation(Real gx, Real gy, Real cosine, Real sine, Real eps)
+  inline Real inverse_relaxation(Real gx, Real gy, Real cosine, Real sine)
   {
-    const Real product = gx * gy;
-    const Real size = (gx < 0 ? -gx : gx) + (gy < 0 ? -gy : gy);
-    const Real magnitude = product < 0 ? -product : product;
-    const Real s = size * size - 2 * magnitude; // gx^2 + gy^2, the same bits when transposed
-    const Real square = s * s, guarded = square + gradient_guard<Real>;
-    const Real c4 = square - 8 * (product * product);
-    const Real s4 = 4 * product * ((gx - gy) * (gx + gy));
-    const Real ratio = guarded / (guarded + eps * (c4 * cosine + s4 * sine)); // 1/xi
+    constexpr Real guard = gradient_guard<Real> * gradient_guard<Real>;
+    const Real product = gx * gy, size = std::fabs(gx) + std::fabs(gy);
+    const Real s = size * size - 2 * std::fabs(product); // gx^2 + gy^2, same bits when transposed
+    const Real guarded = s * s + guard * guard;
+    const Real q = product * ((gx - gy) * (gx + gy));
+    const Real ratio = guarded / (guarded + cosine * (s * s) - // 1/xi
+                                  8 * cosine * (product * product) + 4 * sine * q);
     return ratio * ratio;
   }
 } // namespace melt

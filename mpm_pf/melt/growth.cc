@@ -39,15 +39,18 @@ namespace melt
       const Weights w = laplacian_weights(mesh, kind);
       const double square = mesh.spacing[0] * mesh.spacing[0];
       Coefficients<Real> k;
-      k.eps = Real(law.anisotropy);
+      const double heat = h * law.diffusivity / square, across = w.ratio * w.ratio;
       k.lambda = Real(law.coupling);
       k.rate = Real(h / law.relaxation);
       k.phase = Real(h * law.width * law.width / (law.relaxation * square));
-      k.heat = Real(h * law.diffusivity / square);
       k.ratio = Real(w.ratio);
-      k.edge = Real(w.edge), k.edge_excess = Real(w.edge_excess), k.corner = Real(w.corner);
-      k.cosine = Real(orientation ? orientation->uniform_cosine : 1.);
-      k.sine = Real(orientation ? orientation->uniform_sine : 0.);
+      k.flux_x = Real(w.edge), k.flux_y = Real((w.edge + w.edge_excess) / across);
+      k.corner = Real(w.corner);
+      k.heat_edge = Real(heat * w.edge), k.heat_excess = Real(heat * w.edge_excess);
+      k.heat_corner = Real(heat * w.corner);
+      k.eps = Real(law.anisotropy);
+      k.cosine = Real(law.anisotropy * (orientation ? orientation->uniform_cosine : 1.));
+      k.sine = Real(law.anisotropy * (orientation ? orientation->uniform_sine : 0.));
       return k;
     }
 

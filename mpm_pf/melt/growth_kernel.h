@@ -11,9 +11,10 @@
 //
 // The Laplacian is five-point or nine-point; the latter,
 //   dxx + dyy + (dx^2 + dy^2)/12 dxx dyy,
-// has an isotropic leading error and a step limit 1.5 times as long. It is summed from differences
-// to the centre: exactly zero on a constant, and precise in single precision.
-// Fluxes through the faces of a row are staged in row buffers that stay in the first-level cache.
+// has an isotropic leading error and a step limit 1.5 times as long. Its part along the mesh lines
+// goes with the fluxes in Eq. (1). Sums are taken so that a constant gives exactly zero.
+// Multiplications bound these loops on machines of today: slopes and fluxes that nodes and faces
+// share are staged in row buffers, which stay in the first-level cache.
 #pragma once
 
 #include <algorithm>
@@ -30,13 +31,16 @@ namespace melt
   template <class Real>
   struct Coefficients
   {
-    Real eps, lambda;
-    Real rate;                      // h/tau0
-    Real phase;                     // h W0^2/(tau0 dx^2)
-    Real heat;                      // h D/dx^2
-    Real ratio;                     // dx/dy
-    Real edge, edge_excess, corner; // Laplacian: edge (dxx + dyy) + edge_excess dyy + corner (...)
-    Real cosine, sine;              // of four times a uniform crystal angle
+    Real lambda;
+    Real rate;  // h/tau0
+    Real phase; // h W0^2/(tau0 dx^2)
+    Real ratio; // dx/dy
+    // Laplacian: flux_x dxx + ratio^2 flux_y dyy + corner (sum over the corners - 4 f).
+    Real flux_x, flux_y, corner;
+    // The same for heat, times h D/dx^2: edge (dxx + dyy) + excess dyy + corner (...).
+    Real heat_edge, heat_excess, heat_corner;
+    Real eps;
+    Real cosine, sine; // eps times those of four times a uniform crystal angle
   };
 
   /// Three rows of one field round the row to be updated.
@@ -46,16 +50,21 @@ namespace melt
     const Real *below, *here, *above;
   };
 
-  /// dx^2 times the Laplacian at node i.
+  /// Sum over the four corners round node i, minus four times its own value: the same bits for a
+  /// mirrored or transposed field, and exactly zero on a constant.
   template <class Real>
-  inline Real laplacian(const Rows<Real> &f, int i, const Coefficients<Real> &k)
+  inline Real corners(const Rows<Real> &f, int i)
   {
-    const Real c = f.here[i];
-    const Real x = (f.here[i + 1] - c) + (f.here[i - 1] - c);
-    const Real y = (f.above[i] - c) + (f.below[i] - c);
-    const Real corners = ((f.above[i + 1] - c) + (f.below[i - 1] - c)) +
-                         ((f.above[i - 1] - c) + (f.below[i + 1] - c));
-    return k.edge * (x + y) + k.edge_excess * y + k.corner * corners;
+    return ((f.above[i + 1] + f.below[i - 1]) + (f.above[i - 1] + f.below[i + 1])) - 4 * f.here[i];
+  }
+
+  /// h D times the Laplacian at node i.
+  template <class Real>
+  inline Real spread(const Rows<Real> &f, int i, const Coefficients<Real> &k)
+  {
+    const Real c = f.here[i], x = f.here[i + 1] + f.here[i - 1], y = f.above[i] + f.below[i];
+    return k.heat_edge * ((x + y) - 4 * c) +
+           (k.heat_corner * corners(f, i) + k.heat_excess * (y - 2 * c));
   }
 
   /// Rows of cos and sin of four times the crystal angle at rows j and j + 1; unused when uniform.
@@ -65,55 +74,88 @@ namespace melt
     const Real *cosine, *cosine_above, *sine, *sine_above;
   };
 
-  /// Fluxes through the faces (i, j + 1/2), i = 0 .. count - 1, from rows j and j + 1.
-  template <bool varying, class Real>
-  inline void flux_up(const Real *here, const Real *above, const Angles<Real> &angle, int count,
-                      const Coefficients<Real> &k, Real *flux)
+  /// What the nodes and faces of one row share with their neighbours: slopes (a quarter of the
+  /// difference of both neighbours' values) at nodes and fluxes through faces.
+  template <class Real>
+  struct Staged
+  {
+    static constexpr int lead = 64 / sizeof(Real);
+    using Row = std::array<Real, run_length + 2 * lead>;
+    alignas(64) Row rows[6];
+    Real *along = row(0), *along_above = row(1); // slopes along x in rows j and j + 1
+    Real *upward = row(2);                       // slopes along y in row j; from -1 to count
+    Real *below = row(3), *above = row(4);       // fluxes through the faces (i, j -+ 1/2)
+    Real *left = row(5);                         // fluxes through the faces (i - 1/2, j)
+
+    /// Before the next row is taken.
+    void advance()
+    {
+      std::swap(along, along_above);
+      std::swap(below, above);
+    }
+
+  private:
+    Real *row(int n) { return rows[n].data() + lead; }
+  };
+
+  /// Slopes along x of a row's nodes i = 0 .. count - 1.
+  template <class Real>
+  inline void slopes_along(const Real *f, int count, Real *slope)
   {
 #pragma omp simd
     for (int i = 0; i < count; ++i)
+      slope[i] = Real(0.25) * (f[i + 1] - f[i - 1]);
+  }
+
+  /// Slopes of row j along y, and of row j + 1 along x; fluxes through the faces (i, j + 1/2),
+  /// i = 0 .. count - 1.
+  template <bool varying, class Real>
+  inline void flux_up(Rows<Real> phi, Angles<Real> angle, int count, Coefficients<Real> k,
+                      Staged<Real> &staged)
+  {
+    Real *along_above = staged.along_above, *upward = staged.upward, *flux = staged.above;
+    const Real *along = staged.along;
+    const Real quarter = Real(0.25) * k.ratio, half = Real(0.5) * k.eps;
+    for (const int end : {-1, count})
+      upward[end] = quarter * (phi.above[end] - phi.below[end]);
+#pragma omp simd
+    for (int i = 0; i < count; ++i)
     {
-      const Real n = (above[i] - here[i]) * k.ratio;
-      const Real t = Real(0.25) * ((here[i + 1] + above[i + 1]) - (here[i - 1] + above[i - 1]));
-      const Real c = varying ? Real(0.5) * (angle.cosine[i] + angle.cosine_above[i]) : k.cosine;
-      const Real s = varying ? Real(0.5) * (angle.sine[i] + angle.sine_above[i]) : k.sine;
-      flux[i] = k.ratio * anisotropic_flux(n, t, c, -s, k.eps);
+      const Real n = (phi.above[i] - phi.here[i]) * k.ratio;
+      const Real slope = Real(0.25) * (phi.above[i + 1] - phi.above[i - 1]);
+      const Real c = varying ? half * (angle.cosine[i] + angle.cosine_above[i]) : k.cosine;
+      const Real s = varying ? -half * (angle.sine[i] + angle.sine_above[i]) : -k.sine;
+      upward[i] = quarter * (phi.above[i] - phi.below[i]);
+      along_above[i] = slope;
+      flux[i] = face_flux(n, along[i] + slope, c, s, k.flux_y);
     }
   }
 
   /// Fluxes through the faces (i - 1/2, j), i = 0 .. count.
   template <bool varying, class Real>
-  inline void flux_right(const Rows<Real> &phi, const Angles<Real> &angle, int count,
-                         const Coefficients<Real> &k, Real *flux)
+  inline void flux_right(const Real *here, Angles<Real> angle, int count, Coefficients<Real> k,
+                         Staged<Real> &staged)
   {
+    Real *flux = staged.left;
+    const Real *upward = staged.upward;
+    const Real half = Real(0.5) * k.eps;
 #pragma omp simd
     for (int i = 0; i <= count; ++i)
     {
-      const Real n = phi.here[i] - phi.here[i - 1];
-      const Real t = Real(0.25) * k.ratio *
-                     ((phi.above[i] + phi.above[i - 1]) - (phi.below[i] + phi.below[i - 1]));
-      const Real c = varying ? Real(0.5) * (angle.cosine[i] + angle.cosine[i - 1]) : k.cosine;
-      const Real s = varying ? Real(0.5) * (angle.sine[i] + angle.sine[i - 1]) : k.sine;
-      flux[i] = anisotropic_flux(n, t, c, s, k.eps);
+      const Real c = varying ? half * (angle.cosine[i] + angle.cosine[i - 1]) : k.cosine;
+      const Real s = varying ? half * (angle.sine[i] + angle.sine[i - 1]) : k.sine;
+      flux[i] = face_flux(here[i] - here[i - 1], upward[i] + upward[i - 1], c, s, k.flux_x);
     }
   }
 
-  /// Faces of one row: below and above its nodes, and left and right of them.
-  template <class Real>
-  struct StagedFluxes
-  {
-    alignas(64) std::array<Real, run_length> first, second;
-    alignas(64) std::array<Real, run_length + 1> across;
-    Real *below = first.data(), *above = second.data();
-  };
-
   /// Eqs. (1) and (2) at nodes i = 0 .. count - 1 of one row. `heat` false: no temperature.
   template <bool varying, bool heat, class Real>
-  inline void update_row(const Rows<Real> &phi, const Rows<Real> &theta, const Angles<Real> &angle,
-                         const StagedFluxes<Real> &flux, int count, const Coefficients<Real> &k,
-                         Real *new_phi, Real *new_theta)
+  inline void update_row(Rows<Real> phi, Rows<Real> theta, Angles<Real> angle,
+                         const Staged<Real> &staged, int count, Coefficients<Real> k, Real *new_phi,
+                         Real *new_theta)
   {
-    const Real *below = flux.below, *above = flux.above, *across = flux.across.data();
+    const Real *below = staged.below, *above = staged.above, *left = staged.left;
+    const Real *along = staged.along, *upward = staged.upward;
 #pragma omp simd
     for (int i = 0; i < count; ++i)
     {
@@ -121,28 +163,24 @@ namespace melt
       const Real well = 1 - f * f;
       const Real drive = heat ? f - k.lambda * theta.here[i] * well : f;
       const Real diffusion =
-          laplacian(phi, i, k) + ((across[i + 1] - across[i]) + (above[i] - below[i]));
-      const Real gx = phi.here[i + 1] - phi.here[i - 1];
-      const Real gy = k.ratio * (phi.above[i] - phi.below[i]);
-      const Real c = varying ? angle.cosine[i] : k.cosine;
-      const Real s = varying ? angle.sine[i] : k.sine;
-      const Real change = inverse_relaxation(gx, gy, c, s, k.eps) *
+          ((left[i + 1] - left[i]) + k.ratio * (above[i] - below[i])) + k.corner * corners(phi, i);
+      const Real c = varying ? k.eps * angle.cosine[i] : k.cosine;
+      const Real s = varying ? k.eps * angle.sine[i] : k.sine;
+      const Real change = inverse_relaxation(along[i], upward[i], c, s) *
                           (k.phase * diffusion + k.rate * (drive * well)); // Eq. (1)
       const Real next = f + change;
       new_phi[i] = next;
       if constexpr (heat)
-        new_theta[i] =
-            theta.here[i] + (k.heat * laplacian(theta, i, k) + Real(0.5) * (next - f)); // Eq. (2)
+        new_theta[i] = theta.here[i] + (spread(theta, i, k) + Real(0.5) * (next - f)); // Eq. (2)
     }
   }
 
   /// Eq. (2) where phi rests.
   template <class Real>
-  inline void diffuse_row(const Rows<Real> &theta, int count, const Coefficients<Real> &k,
-                          Real *new_theta)
+  inline void diffuse_row(Rows<Real> theta, int count, Coefficients<Real> k, Real *new_theta)
   {
 #pragma omp simd
     for (int i = 0; i < count; ++i)
-      new_theta[i] = theta.here[i] + k.heat * laplacian(theta, i, k); // Eq. (2)
+      new_theta[i] = theta.here[i] + spread(theta, i, k); // Eq. (2)
   }
 } // namespace melt

@@ -173,29 +173,26 @@ namespace melt
     const bool varying = fields.angle.cosine != nullptr, heat = fields.theta != nullptr;
     const Field<Real> &phi = *pair.phi[old];
     const int count = run.end - run.begin;
-    StagedFluxes<Real> flux;
-    const auto faces_up = [&](int j, Real *target)
-    {
-      const Angles<Real> angle = angles_at(fields.angle, j, run.begin);
-      (varying ? flux_up<true, Real> : flux_up<false, Real>)(phi.row(j) + run.begin,
-                                                             phi.row(j + 1) + run.begin, angle,
-                                                             count, k, target);
-    };
+    Staged<Real> staged;
+    const auto faces_up = varying ? flux_up<true, Real> : flux_up<false, Real>;
+    const auto faces_left = varying ? flux_right<true, Real> : flux_right<false, Real>;
     const auto update =
         varying ? (heat ? update_row<true, true, Real> : update_row<true, false, Real>)
                 : (heat ? update_row<false, true, Real> : update_row<false, false, Real>);
-    faces_up(rows.first - 1, flux.below);
+    const int before = rows.first - 1;
+    slopes_along(phi.row(before) + run.begin, count, staged.along);
+    faces_up(rows_round(phi, before, run.begin), angles_at(fields.angle, before, run.begin), count,
+             k, staged);
     for (int j = rows.first; j < rows.end; ++j)
     {
+      staged.advance();
       const Rows<Real> here = rows_round(phi, j, run.begin);
       const Angles<Real> angle = angles_at(fields.angle, j, run.begin);
-      faces_up(j, flux.above);
-      (varying ? flux_right<true, Real> : flux_right<false, Real>)(here, angle, count, k,
-                                                                   flux.across.data());
-      update(here, heat ? rows_round(*pair.theta[old], j, run.begin) : here, angle, flux, count, k,
-             pair.phi[1 - old]->row(j) + run.begin,
+      faces_up(here, angle, count, k, staged);
+      faces_left(here.here, angle, count, k, staged);
+      update(here, heat ? rows_round(*pair.theta[old], j, run.begin) : here, angle, staged, count,
+             k, pair.phi[1 - old]->row(j) + run.begin,
              heat ? pair.theta[1 - old]->row(j) + run.begin : nullptr);
-      std::swap(flux.below, flux.above);
     }
   }
 
