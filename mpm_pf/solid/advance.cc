@@ -85,9 +85,8 @@ namespace solid
     void nodes(Solid &solid, const double dt)
     {
       Timed timed(solid, "nodes");
-      const double dx = solid.grid.dx;
-      push(solid.loads, solid.tracers, solid.scheme, solid.supports.folds, solid.grid,
-           solid.material.density * dx * dx, solid.time);
+      push(solid.loads, solid.tracers, solid.points, solid.scheme, solid.supports.folds, solid.grid,
+           1. / solid.material.density, solid.time);
       move_nodes(solid, dt);
       hold(solid.supports, solid.scheme, solid.points, solid.fraction, solid.grid, solid.time, dt);
       book_work(solid.loads, solid.grid, dt);
@@ -119,8 +118,8 @@ namespace solid
       split_points(solid);
       sort(solid.points, grid, solid.scratch, solid.scheme.incremental(), solid.threads);
       solid.supports.marked.clear();
-      resize_with_grid(solid);
       refine(solid.tracers, grid.dx);
+      resize_with_grid(solid);
     }
 
     [[noreturn]] void report(const Solid &solid, const std::string &cause, const std::size_t p)
@@ -212,6 +211,8 @@ namespace solid
   {
     if (solid.scheme.anti_locking)
       solid.cells.resize(solid.grid.nodes.size(), solid.points.size());
+    if (!solid.loads.tractions.empty())
+      solid.loads.shares.find_points(solid.tracers, solid.points, solid.grid);
   }
 
   double stable_step(const Solid &solid)

@@ -7,6 +7,40 @@
 
 namespace solid
 {
+  namespace
+  {
+    // Tracers where a load begins or ends inside a chord, found by bisection. The very ends of a
+    // chord are left out: an edge that meets another at a corner belongs to it within tolerance.
+    template <typename Loaded>
+    void split_chords(std::vector<Tracer> &outline, Loaded &&loaded)
+    {
+      constexpr double samples[] = {1e-3, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1. - 1e-3};
+      std::vector<Tracer> split;
+      for (std::size_t k = 0; k < outline.size(); ++k)
+      {
+        split.push_back(outline[k]);
+        const auto inside = [&](const double s) { return loaded(on_chord(outline, k, s)[0]); };
+        for (std::size_t i = 0; i + 1 < std::size(samples); ++i)
+        {
+          double low = samples[i], high = samples[i + 1];
+          const bool first = inside(low);
+          if (first == inside(high))
+            continue;
+          for (int halving = 0; halving < 50; ++halving)
+          {
+            const double middle = 0.5 * (low + high);
+            (inside(middle) == first ? low : high) = middle;
+          }
+          const auto [X, x] = on_chord(outline, k, low);
+          const Tracer &a = outline[k], &b = outline[(k + 1) % outline.size()];
+          split.push_back(
+              {X, x, a.line == b.line ? a.line : -1, a.grip == b.grip ? a.grip : -1, a.loads});
+        }
+      }
+      outline = std::move(split);
+    }
+  } // namespace
+
   Loads make_loads(const scene::Scene &scene, Tracers &tracers)
   {
     Loads loads;
@@ -16,10 +50,15 @@ namespace solid
     {
       const std::size_t index = loads.tractions.size();
       bool any = false;
+      const auto loaded = [&](const Point &X)
+      { return scene::contains(asked.where, box, X, tolerance); };
       for (auto &outline : tracers.outlines)
+      {
+        split_chords(outline, loaded);
         for (std::size_t k = 0; k < outline.size(); ++k)
-          if (scene::contains(asked.where, box, on_chord(outline, k, 0.5)[0], tolerance))
+          if (loaded(on_chord(outline, k, 0.5)[0]))
             outline[k].loads |= 1u << index, any = true;
+      }
       const std::string where = asked.place.file + ":" + std::to_string(asked.place.line) +
                                 ": traction \"" + asked.name + "\" ";
       if (!any)
@@ -72,14 +111,14 @@ namespace solid
     }
 
     void spread(Loads &loads, const Scheme &scheme, const FoldTable &table, Grid &grid,
-                const double full_mass, const Point &x, const Point &force)
+                const Point &x, const Point &force)
     {
       const Stencil s = stencil(scheme, grid, table, x);
       double share[9], sum = 0.;
       for (int k = 0; k < 9; ++k)
       {
-        const double mass = grid.mass[grid.at(s.i - 1 + k % 3, s.j - 1 + k / 3)];
-        share[k] = s.x.w[k % 3] * s.y.w[k / 3] * std::min(1., mass / (0.1 * full_mass));
+        const std::ptrdiff_t n = grid.at(s.i - 1 + k % 3, s.j - 1 + k / 3);
+        share[k] = grid.mass[n] > 0. ? s.x.w[k % 3] * s.y.w[k / 3] * loads.shares[n] : 0.;
         sum += share[k];
       }
       for (int k = 0; k < 9 && sum > 0.; ++k)
@@ -92,24 +131,27 @@ namespace solid
     }
   } // namespace
 
-  void push(Loads &loads, const Tracers &tracers, const Scheme &scheme, const FoldTable &table,
-            Grid &grid, const double full_mass, const double t)
+  void push(Loads &loads, const Tracers &tracers, const Points &points, const Scheme &scheme,
+            const FoldTable &table, Grid &grid, const double inverse_density, const double t)
   {
     loads.pushes.clear();
+    if (loads.tractions.empty())
+      return;
+    loads.shares.measure(tracers, points, scheme, table, grid, inverse_density);
     for (const auto &outline : tracers.outlines)
       for (std::size_t k = 0; k < outline.size(); ++k)
       {
         if (outline[k].loads == 0)
           continue;
         const Point chord = outline[(k + 1) % outline.size()].x - outline[k].x;
-        for (const double s : {0.5 - 0.5 / std::sqrt(3.), 0.5 + 0.5 / std::sqrt(3.)})
+        for (const double s : chord_gauss_points)
         {
           const auto [X, x] = on_chord(outline, k, s);
           Point force = Point::Zero();
           for (std::size_t l = 0; l < loads.tractions.size(); ++l)
             if (outline[k].loads & (1u << l))
               force += 0.5 * force_on(loads.tractions[l], chord, {X, x, t});
-          spread(loads, scheme, table, grid, full_mass, x, force);
+          spread(loads, scheme, table, grid, x, force);
         }
       }
   }

@@ -2,16 +2,16 @@
 //
 // A traction acts on the chords between tracers, per current length, integrated with two Gauss
 // points each; a pressure acts along a chord's inward normal (material lies to the left). A node
-// takes its share by the shape functions, reduced where it has hardly any mass (a light node at the
-// tail of a spline would be flung off by a force that the points behind it never feel); shares are
-// scaled to the whole force.
+// takes its share by the shape functions and by what the points can balance there (edge_shares.h);
+// shares are scaled to the whole force. Where a load ends inside an edge the outline gets a tracer,
+// so that the loaded length is exact.
 #pragma once
 
 #include <optional>
 #include <string>
 
 #include "scene/expression.h"
-#include "solid/tracers.h"
+#include "solid/edge_shares.h"
 
 namespace solid
 {
@@ -31,6 +31,7 @@ namespace solid
       Point force;
     };
     std::vector<Push> pushes; // of this step, for their work
+    EdgeShares shares;
     std::optional<std::array<scene::Function, 2>> body_force;
     Acceleration acceleration;
     double work = 0., work_done = 0.; // since the start; sum of absolute values
@@ -43,9 +44,9 @@ namespace solid
   /// Accelerations of the active points at time t.
   void evaluate_body_force(Loads &, const Points &, const Fraction &, double t);
 
-  /// Add the tractions at time t to the nodal forces. `full_mass`: of a node inside the material.
-  void push(Loads &, const Tracers &, const Scheme &, const FoldTable &, Grid &, double full_mass,
-            double t);
+  /// Add the tractions at time t to the nodal forces.
+  void push(Loads &, const Tracers &, const Points &, const Scheme &, const FoldTable &, Grid &,
+            double inverse_density, double t);
 
   /// Book the work of tractions over dt with the new nodal velocities.
   void book_work(Loads &, const Grid &, double dt);

@@ -35,6 +35,10 @@ namespace solid
   /// Halve chords longer than `longest`.
   void refine(Tracers &, double longest);
 
+  /// Two Gauss points of a chord, each for half its length.
+  inline constexpr double chord_gauss_points[2] = {0.5 - 0.28867513459481287,
+                                                   0.5 + 0.28867513459481287};
+
   /// Initial and current position interpolated along the chord from tracer k, 0 <= s <= 1.
   inline std::array<Point, 2> on_chord(const std::vector<Tracer> &outline, const std::size_t k,
                                        const double s)

@@ -1,0 +1,130 @@
+#include "solid/edge_shares.h"
+
+namespace solid
+{
+  namespace
+  {
+    // Call f(node, weight, gradient) for the nodes around x.
+    template <typename F>
+    void for_nodes(const Stencil &s, const Grid &grid, F &&f)
+    {
+      for (int b = 0; b < 3; ++b)
+        for (int a = 0; a < 3; ++a)
+          f(grid.at(s.i - 1 + a, s.j - 1 + b), s.x.w[a] * s.y.w[b],
+            Point(s.x.g[a] * s.y.w[b], s.x.w[a] * s.y.g[b]));
+    }
+
+    // Call f(x, n ds) for the Gauss points of the chord from tracer k; material lies to its left.
+    template <typename F>
+    void for_gauss_points(const std::vector<Tracer> &outline, const std::size_t k, F &&f)
+    {
+      const Point chord = outline[(k + 1) % outline.size()].x - outline[k].x;
+      for (const double s : chord_gauss_points)
+        f(on_chord(outline, k, s)[1], Point(0.5 * chord[1], -0.5 * chord[0]));
+    }
+  } // namespace
+
+  void EdgeShares::find_points(const Tracers &tracers, const Points &points, const Grid &grid)
+  {
+    near.clear(), nodes.clear();
+    sums.assign(grid.nodes.size(), Sums{});
+    // Two nodes between a chord and a point that share one, and one more that each may travel.
+    constexpr int reach = 4;
+    std::vector<std::uint8_t> close(grid.nodes.size(), 0);
+    for (const auto &outline : tracers.outlines)
+      for (std::size_t k = 0; k < outline.size(); ++k)
+        if (outline[k].loads != 0)
+        {
+          const Point x = on_chord(outline, k, 0.5)[1];
+          const int i = grid.nearest(x[0], 0), j = grid.nearest(x[1], 1);
+          for (int row = j - reach; row <= j + reach; ++row)
+            for (int column = i - reach; column <= i + reach; ++column)
+              if (grid.has(column, row))
+                close[grid.at(column, row)] = 1;
+        }
+    for (std::size_t p = 0; p < points.active; ++p)
+      if (close[grid.at(grid.nearest(points.x[p], 0), grid.nearest(points.y[p], 1))])
+        near.push_back(static_cast<std::uint32_t>(p));
+  }
+
+  void EdgeShares::add_loaded(const Tracers &tracers, const Scheme &scheme, const FoldTable &table,
+                              const Grid &grid)
+  {
+    for (const auto &outline : tracers.outlines)
+      for (std::size_t k = 0; k < outline.size(); ++k)
+        if (outline[k].loads != 0)
+          for_gauss_points(outline, k,
+                           [&](const Point &x, const Point &normal)
+                           {
+                             for_nodes(stencil(scheme, grid, table, x), grid,
+                                       [&](const std::ptrdiff_t n, const double w, const Point &)
+                                       {
+                                         if (sums[n].share == 0.)
+                                           sums[n].share = 1., nodes.push_back(n);
+                                         sums[n].loaded += w * normal;
+                                       });
+                           });
+  }
+
+  void EdgeShares::add_edges(const Tracers &tracers, const Scheme &scheme, const FoldTable &table,
+                             const Grid &grid)
+  {
+    const auto touches = [&](const Point &x)
+    {
+      const int i = grid.nearest(x[0], 0), j = grid.nearest(x[1], 1);
+      for (int b = -1; b <= 1; ++b)
+        for (int a = -1; a <= 1; ++a)
+          if (!grid.has(i + a, j + b))
+            return false;
+      return true;
+    };
+    for (const auto &outline : tracers.outlines)
+      for (std::size_t k = 0; k < outline.size(); ++k)
+        for_gauss_points(outline, k,
+                         [&](const Point &x, const Point &normal)
+                         {
+                           if (touches(x))
+                             for_nodes(stencil(scheme, grid, table, x), grid,
+                                       [&](const std::ptrdiff_t n, const double w, const Point &)
+                                       {
+                                         if (sums[n].share != 0.)
+                                           sums[n].edge += w * normal;
+                                       });
+                         });
+  }
+
+  void EdgeShares::add_points(const Points &points, const Scheme &scheme, const FoldTable &table,
+                              const Grid &grid, const double inverse_density)
+  {
+    for (const std::uint32_t p : near)
+    {
+      const double volume = points.mass[p] * inverse_density * points.jacobian[p];
+      for_nodes(stencil(scheme, grid, table, {points.x[p], points.y[p]}), grid,
+                [&](const std::ptrdiff_t n, const double, const Point &slope)
+                {
+                  if (sums[n].share != 0.)
+                    sums[n].points += volume * slope;
+                });
+    }
+  }
+
+  void EdgeShares::measure(const Tracers &tracers, const Points &points, const Scheme &scheme,
+                           const FoldTable &table, const Grid &grid, const double inverse_density)
+  {
+    for (const std::ptrdiff_t n : nodes)
+      sums[n] = Sums{};
+    nodes.clear();
+    add_loaded(tracers, scheme, table, grid);
+    add_edges(tracers, scheme, table, grid);
+    add_points(points, scheme, table, grid, inverse_density);
+    for (const std::ptrdiff_t n : nodes)
+    {
+      Sums &sum = sums[n];
+      const double loaded = sum.loaded.squaredNorm();
+      const double edge = sum.edge.dot(sum.loaded), seen = sum.points.dot(sum.loaded);
+      // Two edges of a sliver cancel in B_i: nothing can be told from it.
+      const double share = edge > 0.05 * loaded ? seen / edge : 1.;
+      sum.share = std::min(std::max(share, 1e-12), 2.);
+    }
+  }
+} // namespace solid
