@@ -41,6 +41,17 @@ namespace
     return all;
   }
 
+  /// A wall that pushes has touched, whether or not a front was seen to arrive there.
+  void note_contacts(World &w, const double time)
+  {
+    if (!w.walls)
+      return;
+    for (medium::Wall &wall : w.walls->walls)
+      if (!wall.touched &&
+          !solid::reaction(*w.solid, solid::wall_name(wall.side)).impulse.isZero(0.))
+        medium::touch(wall, *w.walls, *w.mesh, time);
+  }
+
   /// The solid's nodal velocity on the mesh; 1 in the result where it rests on enough mass.
   medium::Field<unsigned char> spread(const solid::NodalVelocity &mean, const double full_mass,
                                       const medium::Mesh &mesh, medium::Velocity &velocity)
@@ -135,6 +146,7 @@ void move_solid(World &w, const double dt)
   {
     const Stopwatch watch(w, "solid");
     solid::advance(*w.solid, dt, &mean);
+    note_contacts(w, w.time + dt);
   }
   const Stopwatch watch(w, "extension");
   const double full_mass =
@@ -152,6 +164,7 @@ void move_solid_alone(World &w, const double dt)
     solid::follow_walls(*w.solid, motions(*w.walls), dt);
   const Stopwatch watch(w, "solid");
   solid::advance(*w.solid, dt);
+  note_contacts(w, w.time + dt);
 }
 
 namespace

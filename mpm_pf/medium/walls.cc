@@ -115,6 +115,8 @@ namespace medium
     const double gap = cut ? cut->gap : 0., h = mesh.spacing[axis];
     const auto at = [&](int k, int n)
     { return axis == 0 ? phi(last + inward * k, n) : phi(n, last + inward * k); };
+    // An edge along a line of nodes leaves phi = 0 there but for rounding: no front stands on it.
+    constexpr double least = 1e-6;
     const int first = cuts.first(1 - axis), end = cuts.end(1 - axis, mesh.nodes[1 - axis]);
     const int deepest = std::min(count - 4, static_cast<int>(std::ceil(reach / h)) + 1);
     for (int k = 0; k <= deepest; ++k)
@@ -122,7 +124,7 @@ namespace medium
       double nearest = std::numeric_limits<double>::infinity();
       for (int n = first; n < end; ++n)
       {
-        if (at(k, n) <= 0.)
+        if (at(k, n) <= least)
           continue;
         if (k == 0)
         {
@@ -131,7 +133,8 @@ namespace medium
           nearest = std::min(nearest, a >= 0. ? 0. : std::sqrt(-a / b));
           continue;
         }
-        const double here = straightened(at(k, n)), before = straightened(at(k - 1, n));
+        const double here = straightened(at(k, n));
+        const double before = straightened(std::min(0., at(k - 1, n)));
         nearest = std::min(nearest, gap + k - here / (here - before));
       }
       if (nearest * h <= reach)
@@ -163,10 +166,15 @@ namespace medium
         wall.started = time;
       if (*gap > 0.)
         continue;
-      wall.touched = time;
-      wall.travel_at_touch = wall.travel;
-      wall.span_at_touch = span(wall, walls, mesh);
+      touch(wall, walls, mesh, time);
     }
+  }
+
+  void touch(Wall &wall, const Walls &walls, const Mesh &mesh, double time)
+  {
+    wall.touched = time;
+    wall.travel_at_touch = wall.travel;
+    wall.span_at_touch = span(wall, walls, mesh);
   }
 
   void move(Walls &walls, double time, double dt, const Mesh &mesh)
@@ -192,7 +200,8 @@ namespace medium
   {
     double limit = std::numeric_limits<double>::infinity();
     for (const Wall &wall : walls.walls)
-      if (wall.started && wall.asked.speed > 0. && wall.travel < wall.asked.travel)
+      // one that has not started may do so within the step
+      if (wall.asked.speed > 0. && wall.travel < wall.asked.travel)
         limit = std::min(limit, fraction * mesh.spacing[wall.axis()] / wall.asked.speed);
     return limit;
   }

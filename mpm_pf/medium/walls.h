@@ -43,7 +43,7 @@ namespace medium
     double velocity = 0.;  // over the present step, along the axis; its material moves with it
     double travel = 0.;    // inward, length
     std::optional<double> started; // time
-    std::optional<double> touched; // time of the first contact of phi = 0
+    std::optional<double> touched; // time of the first contact
     double travel_at_touch = 0.;
     double span_at_touch = 0.; // to the opposite side then, length
 
@@ -76,14 +76,19 @@ namespace medium
   /// contacts. phi: ghosts and lines behind walls filled.
   void watch(Walls &, const Field<double> &phi, const Mesh &, double time);
 
-  /// The same without a front: starts walls whose time has come.
+  /// The same without a front: only starts walls whose time has come.
   void watch(Walls &, double time);
+
+  /// Notes the first contact of a wall that the front has not been seen to touch: points feel a
+  /// wall through the nodes that both share, before phi = 0 has come up to it.
+  void touch(Wall &, const Walls &, const Mesh &, double time);
 
   /// Moves the walls from `time` to time + dt; sets their velocity to the mean over dt. Throws
   /// NumericalTrouble if a wall crosses more than half a cell at once.
   void move(Walls &, double time, double dt, const Mesh &);
 
-  /// Largest step over which no wall crosses more than `fraction` of a cell; infinity at rest.
+  /// Largest step over which no wall crosses more than `fraction` of a cell; infinity once all
+  /// have travelled.
   double step_limit(const Walls &, const Mesh &, double fraction);
 
   /// A field that ends at the walls; gradients may be null. `swept`, if not null, is raised by what

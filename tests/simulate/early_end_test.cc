@@ -46,3 +46,26 @@ TEST(EarlyEnd, IsSeenOnceByProbesOfTheEndAndOfIntervals)
   EXPECT_NEAR(times.back(), 4.5, 0.1);
   std::filesystem::remove_all(folder);
 }
+
+TEST(EarlyEnd, CompressionCountsFromTheFirstContactWithAndWithoutAPhaseField)
+{
+  std::string plain = walled;
+  plain.erase(plain.find("[phase_field]"), std::string("[phase_field]\nwidth = 1.0\n").size());
+  for (const std::string &text : {walled, plain})
+  {
+    const std::string path = ::testing::TempDir() + "contact_" + std::to_string(getpid()) + ".toml";
+    std::ofstream(path) << text;
+    const scene::Scene scene = scene::read_scene(path, {});
+    World world = build_world(scene, 1);
+    while (!finished(world))
+    {
+      step(world, coupling_step(world));
+      // The block's edge is 4 away from the wall; points feel a wall over two cells at most.
+      const medium::Wall &wall = world.walls->walls[0];
+      ASSERT_FALSE(wall.touched && wall.travel < 3.) << wall.travel;
+    }
+    const double half_a_cell = 0.25; // what a front between two nodes is known to
+    EXPECT_NEAR(medium::compression(*world.walls), 0.5 / 12., half_a_cell / 12.) << text;
+    std::filesystem::remove(path);
+  }
+}
