@@ -1,6 +1,8 @@
 #include "melt/noise.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <stdexcept>
 #include <utility>
 
@@ -31,15 +33,20 @@ namespace melt
       }
     }
 
-    /// Sum of the four 16-bit halves of two words, about its mean: a whole number, exact in float.
-    inline float centred_sum(std::uint32_t a, std::uint32_t b)
+    /// Sum of the two 16-bit halves of a word, about its mean: a whole number, exact in float.
+    inline float centred_sum(std::uint32_t word)
     {
-      const std::uint32_t sum = (a & 0xFFFFu) + (a >> 16) + (b & 0xFFFFu) + (b >> 16);
-      return static_cast<float>(static_cast<std::int32_t>(sum) - 2 * 65535);
+      return static_cast<float>(static_cast<std::int32_t>((word & 0xFFFFu) + (word >> 16)) - 65535);
     }
 
-    /// Standard deviation of centred_sum: four uniform numbers on 65536 values.
-    const double sum_deviation = std::sqrt((65536. * 65536. - 1.) / 3.);
+    /// Standard deviation of centred_sum: two uniform numbers on 65536 values.
+    const double sum_deviation = std::sqrt((65536. * 65536. - 1.) / 6.);
+
+    /// Half of a line of numbers, rounded up: the counters that it takes.
+    int pairs(int drawn)
+    {
+      return (drawn + 1) / 2;
+    }
   } // namespace
 
   Words philox(Words c, std::array<std::uint32_t, 2> key)
@@ -52,34 +59,58 @@ namespace melt
   {
     Axis made;
     const int last = count - 1;
-    const bool periodic = low == Boundary::periodic;
-    const int middle = fold ? last / 2 : 0;
-    made.drawn = fold ? middle + 1 : count;
-    // A face takes the number of the node on its lower side, counted from the middle when folded.
-    const auto fold_face = [&](int lower)
-    { return lower >= middle ? lower - middle : middle - 1 - lower; };
+    made.count = count;
+    made.periodic = low == Boundary::periodic;
+    made.middle = fold ? last / 2 : 0;
+    made.drawn = count - made.middle;
     for (int i = 0; i < count; ++i)
     {
-      made.node.push_back(fold ? std::abs(i - middle) : (periodic ? i % last : i));
       const bool wall =
           (i == 0 && low == Boundary::no_flux) || (i == last && high == Boundary::no_flux);
       made.width.push_back(wall ? std::sqrt(2.f) : 1.f);
     }
-    for (int face = 0; face <= count; ++face)
-    {
-      int lower = face - 1;
-      float sign = 1.f;
-      if (periodic)
-        lower = (lower + last) % last;
-      else if (lower < 0 || lower >= last) // beyond a mirror: the face inside, turned round
-      {
-        lower = lower < 0 ? 0 : last - 1;
-        sign = -1.f;
-      }
-      made.face.push_back(fold ? fold_face(lower) : lower);
-      made.sign.push_back(fold && lower < middle ? -sign : sign);
-    }
     return made;
+  }
+
+  int Noise::Axis::node(int i) const
+  {
+    return periodic ? i % (count - 1) : std::abs(i - middle);
+  }
+
+  /// Node at the lower side of a face; beyond a mirror that of the face inside, turned round.
+  int Noise::Axis::lower_node(int f) const
+  {
+    const int cells = count - 1;
+    return periodic ? (f - 1 + cells) % cells : std::clamp(f - 1, 0, cells - 1);
+  }
+
+  int Noise::Axis::face(int f) const
+  {
+    const int lower = lower_node(f);
+    return lower >= middle ? lower - middle : middle - 1 - lower;
+  }
+
+  float Noise::Axis::sign(int f) const
+  {
+    const bool beyond = !periodic && (f == 0 || f == count);
+    const bool folded = lower_node(f) < middle;
+    return beyond != folded ? -1.f : 1.f;
+  }
+
+  void Noise::Axis::spread_to_nodes(const float *drawn, float *numbers) const
+  {
+    std::reverse_copy(drawn + 1, drawn + 1 + middle, numbers);
+    std::copy(drawn, drawn + this->drawn, numbers + middle);
+    numbers[count - 1] = drawn[node(count - 1)];
+  }
+
+  void Noise::Axis::spread_to_faces(const float *drawn, float *numbers) const
+  {
+    for (int f = 1; f <= middle; ++f)
+      numbers[f] = -drawn[middle - f];
+    std::copy(drawn, drawn + this->drawn - 1, numbers + 1 + middle);
+    for (const int end : {0, count})
+      numbers[end] = sign(end) * drawn[face(end)];
   }
 
   Noise::Noise(const Mesh &m, const Options &o) : options(o), mesh(m)
@@ -101,7 +132,8 @@ namespace melt
     axis[1] = make_axis(mesh.nodes[1], mesh.side(Edge::bottom), mesh.side(Edge::top), fold);
   }
 
-  /// Numbers of one line: currents along x and along y, in units of 1/sum_deviation.
+  /// Numbers of one line: currents along x and along y, in units of 1/sum_deviation. A counter
+  /// serves a node of the line's first half and one of its second.
   void Noise::draw(int line, long step, float *x, float *y) const
   {
     const auto row = static_cast<std::uint32_t>(line);
@@ -110,13 +142,17 @@ namespace melt
     const auto high = static_cast<std::uint32_t>(number >> 32);
     const auto key0 = static_cast<std::uint32_t>(options.seed);
     const auto key1 = static_cast<std::uint32_t>(options.seed >> 32);
+    const int half = pairs(axis[0].drawn);
+    float *far_x = x + half, *far_y = y + half;
 #pragma omp simd
-    for (int i = 0; i < axis[0].drawn; ++i)
+    for (int i = 0; i < half; ++i)
     {
       std::uint32_t c0 = static_cast<std::uint32_t>(i), c1 = row, c2 = low, c3 = high;
       philox_rounds(c0, c1, c2, c3, key0, key1);
-      x[i] = centred_sum(c0, c1);
-      y[i] = centred_sum(c2, c3);
+      x[i] = centred_sum(c0);
+      y[i] = centred_sum(c1);
+      far_x[i] = centred_sum(c2);
+      far_y[i] = centred_sum(c3);
     }
   }
 
@@ -130,18 +166,18 @@ namespace melt
 
     /// Takes back what came through walls at the left and right of a row, and divides by their
     /// cells.
-    template <class Real, class Through>
-    void stop_at_columns(Real *row, const medium::Cuts &walls, Real wide, const Through &through)
+    template <class Real>
+    void stop_at_columns(Real *row, const medium::Cuts &walls, Real wide, const float *through)
     {
       if (const auto &left = walls.at(Edge::left))
       {
         const auto i = static_cast<std::size_t>(left->last);
-        row[i] += wide * ((1 - Real(1. / left->size())) * through(i + 1) - through(i));
+        row[i] += wide * ((1 - Real(1. / left->size())) * Real(through[i + 1]) - Real(through[i]));
       }
       if (const auto &right = walls.at(Edge::right))
       {
         const auto i = static_cast<std::size_t>(right->last);
-        row[i] += wide * (through(i + 1) - (1 - Real(1. / right->size())) * through(i));
+        row[i] += wide * (Real(through[i + 1]) - (1 - Real(1. / right->size())) * Real(through[i]));
       }
     }
   } // namespace
@@ -155,45 +191,48 @@ namespace melt
     for (const Edge edge : {Edge::left, Edge::right})
       if (const auto &cut = walls.at(edge))
         width[static_cast<std::size_t>(cut->last)] = width_at(*cut);
-    const auto nx = static_cast<std::size_t>(mesh.nodes[0]);
-    const auto drawn = static_cast<std::size_t>(axis[0].drawn);
+    const int nx = mesh.nodes[0];
+    const auto nodes = static_cast<std::size_t>(nx);
+    const auto drawn = static_cast<std::size_t>(2 * pairs(axis[0].drawn));
     const double dx = mesh.spacing[0], dy = mesh.spacing[1];
     const double current = std::sqrt(2. * options.diffusivity * options.strength / (dx * dy * h));
     const Real along_x = Real(h / dx * current / sum_deviation);
     const Real along_y = Real(h / dy * current / sum_deviation);
-    std::vector<float> x(drawn), y(drawn), unused(drawn), below(nx), above(nx);
+    std::vector<float> x(drawn), y(drawn), unused(drawn), through(nodes + 1), below(nodes),
+        above(nodes);
     // Currents through the faces between rows `face` - 1 and `face`, given the numbers of their
     // line.
     const auto spread_up = [&](int face, std::vector<float> &target)
     {
-      const float sign = axis[1].sign[static_cast<std::size_t>(face)];
-      for (std::size_t i = 0; i < nx; ++i)
-        target[i] = sign * width[i] * y[static_cast<std::size_t>(axis[0].node[i])];
+      const float sign = axis[1].sign(face);
+      axis[0].spread_to_nodes(y.data(), target.data());
+      for (std::size_t i = 0; i < nodes; ++i)
+        target[i] *= sign * width[i];
     };
-    draw(axis[1].face[static_cast<std::size_t>(first)], step, unused.data(), y.data());
+    draw(axis[1].face(first), step, unused.data(), y.data());
     spread_up(first, below);
     for (int j = first; j < end; ++j)
     {
-      const auto line = static_cast<std::size_t>(j);
-      draw(axis[1].node[line], step, x.data(), y.data());
-      if (axis[1].face[line + 1] != axis[1].node[line])
-        draw(axis[1].face[line + 1], step, unused.data(), y.data());
+      draw(axis[1].node(j), step, x.data(), y.data());
+      axis[0].spread_to_faces(x.data(), through.data());
+      if (axis[1].face(j + 1) != axis[1].node(j))
+        draw(axis[1].face(j + 1), step, unused.data(), y.data());
       spread_up(j + 1, above);
       // A wall lets no current pass: a cell of size m takes that of its inner face, divided by m.
       Real from_above = along_y, from_below = along_y;
-      float wide_row = axis[1].width[line];
+      float wide_row = axis[1].width[static_cast<std::size_t>(j)];
       if (const auto &low = walls.at(Edge::bottom); low && low->last == j)
         from_above = along_y / Real(low->size()), from_below = 0, wide_row = width_at(*low);
       if (const auto &high = walls.at(Edge::top); high && high->last == j)
         from_below = along_y / Real(high->size()), from_above = 0, wide_row = width_at(*high);
       const Real wide = along_x * Real(wide_row);
       Real *row = theta.row(j);
-      const auto through = [&](std::size_t face)
-      { return Real(axis[0].sign[face] * x[static_cast<std::size_t>(axis[0].face[face])]); };
-      for (std::size_t i = 0; i < nx; ++i)
-        row[i] -= wide * (through(i + 1) - through(i)) +
-                  (from_above * Real(above[i]) - from_below * Real(below[i]));
-      stop_at_columns(row, walls, wide, through);
+      const float *across = through.data(), *up = above.data(), *down = below.data();
+#pragma omp simd
+      for (int i = 0; i < nx; ++i) // the difference of whole numbers is exact
+        row[i] -= wide * Real(across[i + 1] - across[i]) +
+                  (from_above * Real(up[i]) - from_below * Real(down[i]));
+      stop_at_columns(row, walls, wide, across);
       std::swap(below, above);
     }
   }

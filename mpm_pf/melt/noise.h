@@ -7,10 +7,10 @@
 // variance 1, and each node takes the difference of its faces: heat is moved, never made. Only the
 // conserved current matters for side branches, so the order parameter gets no noise of its own.
 //
-// R is the sum of four uniform numbers (exact mean and variance, |R| < 3.47): the diffusion adds up
+// R is the sum of two uniform numbers (exact mean and variance, |R| < 2.45): the diffusion adds up
 // many of them before anything is seen. They come from Philox4x32-10 (Salmon et al., SC 2011),
-// whose counter is (node, step): the numbers depend on nothing else, so not on threads, tiles or
-// restarts.
+// whose counter is (pair of nodes, line, step): the numbers depend on nothing else, so not on
+// threads, tiles or restarts.
 //
 // At a no-flux wall the current through the wall is zero, and the faces along the wall, half as
 // wide, have twice the variance. A symmetry side is refused unless the noise is `mirrored`: then it
@@ -55,13 +55,22 @@ namespace melt
 
   private:
     /// Where the nodes and faces of one axis take their numbers from. Face f lies between nodes
-    /// f - 1 and f.
+    /// f - 1 and f and takes the number of node f - 1: when folded, both counted from the middle.
     struct Axis
     {
-      int drawn = 0;               // lines of numbers
-      std::vector<int> node, face; // which line
-      std::vector<float> sign;     // of each face: -1 where a normal current is a reflection
-      std::vector<float> width;    // of each node: factor on currents along this line
+      int count = 0, middle = 0, drawn = 0; // nodes; where it is folded (0: not); lines of numbers
+      bool periodic = false;
+      std::vector<float> width; // of each node: factor on currents along this line
+
+      int node(int i) const;
+      int face(int f) const;
+      float sign(int f) const; // -1 where a current through the face is a reflection
+      /// Numbers of all nodes, or of all faces with their signs, from those that were drawn.
+      void spread_to_nodes(const float *drawn, float *numbers) const;
+      void spread_to_faces(const float *drawn, float *numbers) const;
+
+    private:
+      int lower_node(int f) const;
     };
     static Axis make_axis(int count, medium::Boundary low, medium::Boundary high, bool fold);
     void draw(int line, long step, float *x, float *y) const;
