@@ -57,7 +57,7 @@ TEST(Traction, OnAPartOfAnEdgeHasTheForceOfItsLength)
   const solid::History history = solid::history(*body);
   double momentum = 0.;
   for (std::size_t k = 0; k < history.row.size(); ++k)
-    if (history.columns.names[k] == "momentum_y")
+    if (history.names[k] == "momentum_y")
       momentum = history.row[k];
   EXPECT_NEAR(momentum, -(0.771 - 0.437) * dt, 1e-5 * dt); // the ends are found to 1e-6 cells
 }

@@ -100,7 +100,7 @@ TEST(Energy, OfMotionPrescribedInsideABodyIsBookedWithItsImpulse)
   const auto value = [&](const std::string &name)
   {
     const solid::History history = solid::history(*block);
-    const auto &names = history.columns.names;
+    const auto &names = history.names;
     return history.row[std::find(names.begin(), names.end(), name) - names.begin()];
   };
   const double given = solid::reaction(*block, "rim").impulse[0];
