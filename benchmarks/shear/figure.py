@@ -84,7 +84,8 @@ def figure9(results):
         above = np.nanmax(values) > top * (1 + 1e-6)
         panels.colour_bar(figure, drawn, row, label, extend="max" if above else "neither")
     y = points.scene["domain"]["size"][1] / 2
-    axes[0, 1].plot([1.5, 3.5], [y, y], color="black", lw=0.7, ls=(0, (5, 2)))
+    for one in axes[0]:  # the line of Fig. 10a
+        one.plot([1.5, 3.5], [y, y], color="black", lw=0.7, ls=(0, (5, 2)))
     return figure, curves
 
 
