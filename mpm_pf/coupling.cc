@@ -114,7 +114,8 @@ void move_walls(World &w, const double dt)
 {
   const Stopwatch watch(w, "walls");
   if (w.phase)
-    medium::watch(*w.walls, w.phase->value, *w.mesh, w.time);
+    medium::watch(*w.walls, w.phase->value, *w.mesh, w.time,
+                  w.solid && !w.growth ? medium::Contact::push : medium::Contact::front);
   else
     medium::watch(*w.walls, w.time);
   medium::move(*w.walls, w.time, dt, *w.mesh); // Sec. 3, cut cells [28,29]

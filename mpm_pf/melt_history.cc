@@ -18,25 +18,27 @@ namespace
     double mean = 0., variance = 0., min = std::numeric_limits<double>::infinity(), max = -min;
   };
 
-  /// Over all nodes by the share of a cell that they own; a periodic node stored twice counts twice
-  /// half.
-  Spread spread_of(const Field<double> &field, const Mesh &mesh)
+  /// Over the nodes between the walls by the area that they own; a periodic node stored twice
+  /// counts twice half. What stands behind a wall is its mirror image, not melt.
+  Spread spread_of(const Field<double> &field, const World &world)
   {
+    const Mesh &mesh = *world.mesh;
+    const medium::Cuts cuts = world.walls ? world.walls->cuts : medium::Cuts{};
     Spread spread;
     double weight_sum = 0.;
-    for (int j = 0; j < mesh.nodes[1]; ++j)
-      for (int i = 0; i < mesh.nodes[0]; ++i)
+    for (int j = cuts.first(1); j < cuts.end(1, mesh.nodes[1]); ++j)
+      for (int i = cuts.first(0); i < cuts.end(0, mesh.nodes[0]); ++i)
       {
-        const double value = field(i, j), weight = mesh.weight(i, j);
+        const double value = field(i, j), weight = cuts.weight(i, j, mesh);
         weight_sum += weight;
         spread.mean += weight * value;
         spread.min = std::min(spread.min, value);
         spread.max = std::max(spread.max, value);
       }
     spread.mean /= weight_sum;
-    for (int j = 0; j < mesh.nodes[1]; ++j)
-      for (int i = 0; i < mesh.nodes[0]; ++i)
-        spread.variance += mesh.weight(i, j) * std::pow(field(i, j) - spread.mean, 2);
+    for (int j = cuts.first(1); j < cuts.end(1, mesh.nodes[1]); ++j)
+      for (int i = cuts.first(0); i < cuts.end(0, mesh.nodes[0]); ++i)
+        spread.variance += cuts.weight(i, j, mesh) * std::pow(field(i, j) - spread.mean, 2);
     spread.variance /= weight_sum;
     return spread;
   }
@@ -100,7 +102,9 @@ namespace
     const auto *cuts = world.walls ? &world.walls->cuts : nullptr;
     if (world.phase)
       return melt::heat_ledger(world.phase->value, world.heat->value, *world.mesh, cuts).total();
-    return world.mesh->spacing.prod() * medium::weighted_sum(world.heat->value, *world.mesh);
+    const auto &theta = world.heat->value;
+    return world.mesh->spacing.prod() * (cuts ? medium::weighted_sum(theta, *world.mesh, *cuts)
+                                              : medium::weighted_sum(theta, *world.mesh));
   }
 } // namespace
 
@@ -131,7 +135,7 @@ HistoryColumns melt_history(const World &world)
   {
     const auto &phi = world.phase->value;
     const auto contour = phase_contour(world);
-    const Spread spread = spread_of(phi, mesh);
+    const Spread spread = spread_of(phi, world);
     row.add("solid_area", length + "^2", medium::enclosed_area(contour));
     row.add("interface_length", length, medium::interface_length(contour, inner_box(world)));
     row.add("interface_width", length, mean_interface_width(phi, mesh, contour));
@@ -142,7 +146,7 @@ HistoryColumns melt_history(const World &world)
   }
   if (world.heat)
   {
-    const Spread spread = spread_of(world.heat->value, mesh);
+    const Spread spread = spread_of(world.heat->value, world);
     row.add("theta_mean", "L/cp", spread.mean);
     row.add("theta_variance", "(L/cp)^2", spread.variance);
     row.add("theta_min", "L/cp", spread.min);

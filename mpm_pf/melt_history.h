@@ -18,6 +18,7 @@ std::vector<scene::Polyline> phase_contour(const World &);
 
 /// With phi: solid_area, interface_length, interface_width (mean of 1/(sqrt(2)|grad phi|) along the
 /// contour), phi_min, phi_max, active_tiles. With theta: theta_mean, theta_variance, theta_min,
-/// theta_max, heat_content (integral of theta - phi/2, conserved between adiabatic walls). On a
-/// square mesh diagonal_defect, the largest |phi(x, y) - phi(y, x)|.
+/// theta_max, heat_content (integral of theta - phi/2, conserved between adiabatic walls), all over
+/// what the walls have left of the domain. On a square mesh diagonal_defect, the largest
+/// |phi(x, y) - phi(y, x)|.
 HistoryColumns melt_history(const World &);

@@ -150,7 +150,8 @@ namespace medium
         wall.started = wall.asked.start_time;
   }
 
-  void watch(Walls &walls, const Field<double> &phi, const Mesh &mesh, double time)
+  void watch(Walls &walls, const Field<double> &phi, const Mesh &mesh, double time,
+             const Contact counted)
   {
     watch(walls, time);
     for (Wall &wall : walls.walls)
@@ -164,7 +165,7 @@ namespace medium
         continue;
       if (!wall.started)
         wall.started = time;
-      if (*gap > 0.)
+      if (*gap > 0. || counted == Contact::push)
         continue;
       touch(wall, walls, mesh, time);
     }

@@ -72,9 +72,19 @@ namespace medium
   /// walls on one side, for a wall on a periodic or fixed side, and for walls that would meet.
   Walls make_walls(const std::vector<scene::Wall> &, const Mesh &);
 
+  /// What is a wall's first contact: phi = 0 arriving there, or only the push of material points. A
+  /// mere marker of the points is no melt that meets the wall at a right angle, so its profile says
+  /// where the edge is but to a cell.
+  enum class Contact
+  {
+    front,
+    push
+  };
+
   /// Starts walls that the front has come near to (or whose time has come), and notes first
   /// contacts. phi: ghosts and lines behind walls filled.
-  void watch(Walls &, const Field<double> &phi, const Mesh &, double time);
+  void watch(Walls &, const Field<double> &phi, const Mesh &, double time,
+             Contact counted = Contact::front);
 
   /// The same without a front: only starts walls whose time has come.
   void watch(Walls &, double time);

@@ -1,0 +1,58 @@
+// What the history says of the melt's heat holds between the walls, not behind them.
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <map>
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "melt_history.h"
+#include "scene/reader.h"
+#include "simulate.h"
+
+namespace
+{
+  std::map<std::string, double> history(const World &world)
+  {
+    const HistoryColumns row = melt_history(world);
+    std::map<std::string, double> by_name;
+    for (std::size_t k = 0; k < row.names.size(); ++k)
+      by_name[row.names[k]] = row.values[k];
+    return by_name;
+  }
+} // namespace
+
+// A fifth swept away by a wall at x = s that carries its melt along: theta = 0.3 everywhere holds
+// 0.3 (2 - s) then, has lost 0.3 s to the wall, and its mean stays. The motion 0.2 (2 - x)/(2 - s)
+// squeezes cos(pi (x - s)/(2 - s)), which holds no heat.
+TEST(WalledHeat, IsCountedBetweenTheWalls)
+{
+  const std::string head =
+      "title = \"t\"\n[domain]\nsize = [2.0, 1.0]\ncells = [40, 20]\n"
+      "[[wall]]\nside = \"left\"\nspeed = 0.2\ntravel = 0.5\nstart_time = 0.0\n"
+      "[clock]\nend = 2.0\n[heat]\ndiffusivity = 0.01\nundercooling = 0.0\n";
+  const std::string path = ::testing::TempDir() + "walled_" + std::to_string(getpid()) + ".toml";
+  const auto at_the_end = [&](const std::string &rest)
+  {
+    std::ofstream(path) << head << rest;
+    const scene::Scene scene = scene::read_scene(path, {});
+    World world = build_world(scene, 1);
+    while (!finished(world))
+      step(world, coupling_step(world));
+    auto row = history(world);
+    row["s"] = world.walls->walls[0].position;
+    EXPECT_GT(row["s"], 0.399);
+    row["swept"] = world.walls->swept_heat;
+    return row;
+  };
+  auto even = at_the_end("initial = 0.3\n[imposed]\nvelocity = [0.2, 0.0]\n");
+  EXPECT_NEAR(even["heat_content"], 0.3 * (2. - even["s"]), 1e-10);
+  EXPECT_NEAR(even["swept"], 0.3 * even["s"], 1e-10);
+  EXPECT_NEAR(even["theta_mean"], 0.3, 1e-10);
+  auto wave = at_the_end("initial = \"0.3*cos(3.141592653589793*X/2)\"\n"
+                         "[imposed]\nvelocity = [\"0.2*(2-x)/(2-0.2*t)\", 0.0]\n");
+  EXPECT_NEAR(wave["heat_content"], 0., 2e-3);
+  EXPECT_NEAR(wave["theta_mean"], 0., 2e-3);
+  std::filesystem::remove(path);
+}
