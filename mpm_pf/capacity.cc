@@ -7,10 +7,10 @@
 
 #include "scene/geometry.h"
 #include "scene/reader.h"
+#include "solid/points.h"
 
 double least_bytes(const scene::Scene &scene)
 {
-  constexpr double bytes_per_point = 130.; // a record's `bytes solid points` over its points
   const auto &domain = scene.domain;
   const double nodes = (domain.cells[0] + 1.) * (domain.cells[1] + 1.);
   double fields = scene.solid ? 1. : 0.; // the map of the solid's tiles and neighbours
@@ -25,8 +25,8 @@ double least_bytes(const scene::Scene &scene)
     area += scene::signed_area(line);
   const double per_cell = settings.points_per_cell[0] * settings.points_per_cell[1];
   // a body may reach over symmetry sides
-  bytes +=
-      std::min(area, domain.size.prod()) / domain.spacing().prod() * per_cell * bytes_per_point;
+  bytes += std::min(area, domain.size.prod()) / domain.spacing().prod() * per_cell *
+           static_cast<double>(solid::bytes_per_point());
   return bytes;
 }
 

@@ -1,7 +1,20 @@
 #include "inertia.h"
 
+#include <cmath>
 #include <iomanip>
 #include <sstream>
+
+namespace
+{
+  /// "13 %", "1.5 %".
+  std::string percent(const double share)
+  {
+    std::ostringstream text;
+    text << std::fixed << std::setprecision(std::abs(share) < 0.0995 ? 1 : 0) << 100. * share
+         << " %";
+    return text.str();
+  }
+} // namespace
 
 Inertia inertia(const World &world)
 {
@@ -23,17 +36,18 @@ std::string verdict_on_inertia(const World &world)
     return {};
   const Inertia now = inertia(world);
   const double alone = now.compression(), reached = medium::compression(*world.walls);
-  std::ostringstream text;
-  text << std::setprecision(2) << "inertia alone takes " << 100. * alone
-       << " % of compression to stop an arm; kinetic energy is "
-       << 100. * now.numbers.kinetic_to_internal << " % of the internal";
-  if (world.walls->walls.size() > 1)
-    text << "; opposite wall forces differ by " << 100. * now.numbers.force_imbalance << " %";
+  const bool opposed = world.walls->walls.size() > 1;
+  std::string text = "inertia alone takes " + percent(alone) +
+                     " of compression to stop an arm; kinetic energy is " +
+                     percent(now.numbers.kinetic_to_internal) + " of the internal";
+  if (opposed)
+    text += "; opposite wall forces differ by " + percent(now.numbers.force_imbalance);
   // Twice the travel of one yield stress: beyond it the arm has been brought to speed.
-  const bool still = now.numbers.kinetic_to_internal < 0.05;
+  const bool still =
+      now.numbers.kinetic_to_internal < 0.05 && (!opposed || now.numbers.force_imbalance < 0.1);
   if (still && 2. * alone < reached)
-    text << ": quasi-static beyond " << 200. * alone << " %";
+    text += ": quasi-static beyond " + percent(2. * alone);
   else
-    text << ": not quasi-static";
-  return text.str();
+    text += ": not quasi-static";
+  return text;
 }

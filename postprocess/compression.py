@@ -1,5 +1,7 @@
 """What the figures of a compressed dendrite share: when a compression is reached, and the field tables."""
 
+import textwrap
+
 import numpy as np
 from matplotlib import pyplot
 
@@ -85,13 +87,14 @@ def closed(phi):
     return np.nan_to_num(phi, nan=-1.0)
 
 
-def verdict(run):
-    """What the run says about its own inertia and resolution, to be read beside its figures."""
-    return "\n".join(filter(None, (run.text("inertia"), run.text("warning"))))
+def verdict(run, width=170):
+    """What the run says about its own inertia and resolution, to be read beside its figures; lines of `width` characters."""
+    said = filter(None, (run.text("inertia"), run.text("warning")))
+    return "\n".join(textwrap.fill(one, width) for one in said)
 
 
-def field_table(run, compressions):
-    """Figs. 12 and 13: phi, von Mises stress, plastic strain and crystal angle, a row per compression."""
+def field_table(run, compressions, below=verdict):
+    """Figs. 12 and 13: phi, von Mises stress, plastic strain and crystal angle, a row per compression; `below(run)` is printed under it."""
     times = {f"{100 * c:g} %": time_of(run, c) for c in compressions}
     images = {(row, field): image_of(run, field, time) for row, time in times.items() for field in FIELDS}
     norms = {}
@@ -121,8 +124,8 @@ def field_table(run, compressions):
         return drawn
 
     panels.field_table(figure, axes, list(times), FIELDS, draw)
-    if verdict(run):
-        figure.supxlabel(verdict(run), fontsize=6.5)
+    if below(run):
+        figure.supxlabel(below(run), fontsize=6.5)
     curves = []
     for (row, field), (x, y, values) in images.items():
         if field == "phi":

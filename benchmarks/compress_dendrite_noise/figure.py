@@ -13,9 +13,20 @@ import style
 FREE = "free"  # the same noise without compression
 
 
+TIP_RADIUS = 2.08  # over d0, by solvability theory at eps = 0.06 and undercooling 0.55 (Karma & Rappel 1998)
+
+
+def labels(run, width=170):
+    """The two labels that belong to every figure of this case: inertia, and a tip that the mesh does not resolve."""
+    radius = TIP_RADIUS * run.scene["growth"]["capillary_length"]
+    dx = run.scene["domain"]["size"][0] / run.scene["domain"]["cells"][0]
+    resolved = f"tip radius by solvability {radius:.2f} W0 against dx = {dx:g} W0" + (": under-resolved" if radius < 2 * dx else "")
+    return "\n".join(filter(None, (compression.verdict(run, width), resolved)))
+
+
 def figure13(results):
     run = results.record("compress_dendrite_noise", "mpm_pf")
-    return compression.field_table(run, (0.0, 0.10, 0.20, 0.30))
+    return compression.field_table(run, (0.0, 0.10, 0.20, 0.30), labels)
 
 
 def figure14(results):
@@ -32,11 +43,11 @@ def figure14(results):
         near = np.ix_(np.abs(y - middle[1]) < reach, np.abs(x - middle[0]) < reach)
         norm = panels.norm_of([values[near]], -1 if field == "phi" else 0, 1 if field == "phi" else None)
         drawn = panels.image(one, x, y, values, norm=norm, cmap=style.MAPS[field])
-        lines = one.contour(px, py, phi, [0.0], colors="black", linewidths=0.4)
+        lines = one.contour(px, py, compression.closed(phi), [0.0], colors="black", linewidths=0.4)
         one.set(xlim=middle[0] + np.array([-reach, reach]), ylim=middle[1] + np.array([-reach, reach]))
         panels.plain(one)
         panels.colour_bar(figure, drawn, one, style.NAMES[field], location="bottom")
-    figure.supxlabel(compression.verdict(run), fontsize=6.5)
+    figure.supxlabel(labels(run, 90), fontsize=6.5)
     for segment in lines.allsegs[0]:
         curves.append(panels.Curve("close-up at 10 %", "phi = 0", segment[:, 0], segment[:, 1]))
     return figure, curves
@@ -58,7 +69,7 @@ def figure15(results):
         one.set(aspect="equal", xticks=[], yticks=[])
         one.set_title(panel, fontsize=9)
     axes[0].legend(loc="lower right", fontsize=7)
-    figure.supxlabel(compression.verdict(run), fontsize=6.5)
+    figure.supxlabel(labels(run), fontsize=6.5)
     return figure, curves
 
 
