@@ -6,9 +6,10 @@
 // velocity. Each component may be held or free; where the normal one is free the line follows its
 // tracers. A region whose whole displacement is given and uniform is a rigid grip: its points leave
 // the equations and ride along, its sides towards other material are held lines that move through
-// the cells with the grip, so that the gauge length is exact. Any other region is *driven*: the
-// displacement increments of its points are projected on the nodes with their masses and gradients,
-// which is exact for affine motions, and the nodes most of whose mass is driven take them.
+// the cells with the grip, so that the gauge length is exact. Any other region, and one with
+// material around a corner of its box, is *driven*: the displacement increments of its points are
+// projected on the nodes with their masses and gradients, which is exact for affine motions, and
+// the nodes most of whose mass is driven take them.
 //
 // Every prescribed velocity is an increment of displacement over dt, so prescribed positions never
 // drift. The reaction is the momentum which the nodes are given beyond Eq. (4), over dt.

@@ -156,6 +156,17 @@ namespace solid
         }
     }
 
+    // Material around a corner of the box lies beside one side and behind the line of the other,
+    // where no shape function can be folded.
+    bool corner_in_material(const Builder &build, const scene::Box &box)
+    {
+      for (const double x : {box.lower[0], box.upper[0]})
+        for (const double y : {box.lower[1], box.upper[1]})
+          if (scene::signed_distance(build.scene.bodies, {x, y}) > build.small())
+            return true;
+      return false;
+    }
+
     void hold_box(Builder &build, const scene::Support &asked, const int index)
     {
       Support &support = build.supports.all[index];
@@ -163,8 +174,8 @@ namespace solid
       if (build.regions >= 16)
         refuse(asked, "is the 17th box; at most 16 boxes can be held");
       const int region = build.regions++;
-      const bool rigid =
-          support.motion.uniform && support.motion.holds(0) && support.motion.holds(1);
+      const bool rigid = support.motion.uniform && support.motion.holds(0) &&
+                         support.motion.holds(1) && !corner_in_material(build, box);
       Point lower = box.upper, upper = box.lower;
       const Fraction fraction(build.scene.domain);
       bool any = false;

@@ -1,0 +1,33 @@
+// A held box with material around its corners: a disc that hangs on a patch of its inside.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "small_scenes.h"
+
+TEST(Grip, WithMaterialAroundItsCornersHoldsAndCarriesTheWeight)
+{
+  for (const int per_cell : {2, 3})
+  {
+    scene::Scene scene = small::rectangle({0., 0.}, {1., 1.}, {1.2, 1.2}, {24, 24});
+    scene.bodies[0].shape = scene::Disc{{0.6, 0.6}, 0.4};
+    scene.mpm->points_per_cell = {per_cell, per_cell};
+    scene::BodyForce weight;
+    weight.acceleration = {small::text("0"), small::text("-10*smooth(t, 0.2)")};
+    scene.body_force = weight;
+    small::hold(scene, "foot", scene::Box{{0.5, 0.2}, {0.7, 0.32}}, "0", "0");
+    const solid::Owner disc = solid::make_solid(scene);
+    solid::advance(*disc, 0.6); // more than 400 steps: the shortest waves would have grown long ago
+    const solid::History history = solid::history(*disc);
+    const auto value = [&](const std::string &name)
+    {
+      const auto found = std::find(history.names.begin(), history.names.end(), name);
+      return history.row[static_cast<std::size_t>(found - history.names.begin())];
+    };
+    // Half of the rise and what follows it, against what is still on its way.
+    const double given = -10. * value("mass") * (0.5 * 0.2 + 0.4);
+    EXPECT_NEAR(solid::reaction(*disc, "foot").impulse[1], value("momentum_y") - given,
+                2e-3 * std::abs(given));
+    EXPECT_GT(value("energy_balance"), -1e-3 * value("external_work"));
+  }
+}
