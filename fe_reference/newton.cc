@@ -39,9 +39,11 @@ namespace fe
       }
       balance.free = std::sqrt(balance.free);
       balance.scale = std::max({std::sqrt(held), std::sqrt(load), old.force_scale});
-      // F = 1 + du/dX is rounded to 1e-16 however small du is.
+      // F = 1 + du/dX is rounded to 1e-16 however small du is, each of its numbers and so det F,
+      // which the stiffer volume answers. A body without load has these forces and no others.
       const double length = (problem.mesh.position.front() - problem.mesh.position.back()).norm();
-      balance.rounding = 1e-15 * problem.material.shear_modulus * length;
+      const double stiffest = problem.material.lame + 2. * problem.material.shear_modulus;
+      balance.rounding = 3e-15 * stiffest * length;
       return balance;
     }
 

@@ -69,10 +69,11 @@ namespace
     return gradient.norm();
   }
 
-  double mean_interface_width(const Field<double> &phi, const Mesh &mesh,
+  /// Over the contour inside `box`, a cell away from its border: along a side or a wall the line
+  /// closes round the solid where no interface is.
+  double mean_interface_width(const Field<double> &phi, const Mesh &mesh, const scene::Box &box,
                               const std::vector<scene::Polyline> &contour)
   {
-    const auto box = medium::extent(mesh);
     double sum = 0.;
     long count = 0;
     for (const auto &line : contour)
@@ -138,7 +139,7 @@ HistoryColumns melt_history(const World &world)
     const Spread spread = spread_of(phi, world);
     row.add("solid_area", length + "^2", medium::enclosed_area(contour));
     row.add("interface_length", length, medium::interface_length(contour, inner_box(world)));
-    row.add("interface_width", length, mean_interface_width(phi, mesh, contour));
+    row.add("interface_width", length, mean_interface_width(phi, mesh, inner_box(world), contour));
     row.add("phi_min", "1", spread.min);
     row.add("phi_max", "1", spread.max);
     if (mesh.nodes[0] == mesh.nodes[1])

@@ -39,7 +39,8 @@ namespace scene
                    "Number of cells in x and y (cells, not nodes).", "")
           .add("boundary", &Domain::boundary, any(),
                "Condition on all sides, or side by side: no_flux (no gradient across, material "
-               "must not arrive), symmetry (the same, material slides), periodic, fixed.",
+               "must not arrive), symmetry (the same, material slides), periodic (for fields; "
+               "material must not arrive), fixed.",
                "a closed box conserves heat")
           .required();
     }
@@ -47,7 +48,10 @@ namespace scene
     Section clock()
     {
       return Keys<Clock>("clock", "How long, and in what coupling steps.")
-          .require("end", &Clock::end, positive(Dimension::time), "Time at which the run ends.", "")
+          .require("end", &Clock::end, positive(Dimension::time),
+                   "Time at which the run ends; earlier where all walls that move have travelled "
+                   "their way.",
+                   "")
           .add("step", &Clock::step, positive(Dimension::time),
                "Coupling step between solid, advection and growth.",
                "absent: the largest step that every module's limit allows")

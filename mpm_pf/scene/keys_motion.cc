@@ -24,7 +24,9 @@ namespace scene
                "At first contact the wall stops and its speed rises once more, over this time.",
                "absent: it goes on, and the contact is a blow of rho c V that no ramp before it "
                "softens")
-          .add("grip", &Wall::grip, any(), "Does the solid stick to it or slip along it?",
+          .add("grip", &Wall::grip, any(),
+               "grip: what touches it sticks, also when pulled away; slip: it slides along and "
+               "lets go.",
                "the paper's walls hold the arms")
           .exclusive({"start_distance", "start_time"})
           .repeated();

@@ -17,7 +17,10 @@ namespace scene
                  "Kind: volume mean over all material, or over that which started in a box.",
                  "absent: another kind")
             .add("reaction", &P::reaction, any(),
-                 "Kind: force on and displacement of the support of this name.",
+                 "Kind: force on and displacement of the support of this name, a wall being \"wall "
+                 "top\" "
+                 "and so on. mpm_pf gives the mean force over half an interval before and after; "
+                 "the first and the last row are extrapolated from their half means.",
                  "absent: another kind")
             .add("outline", &P::outline, any(),
                  "Kind: closed polylines, of the material or of phi = 0.", "absent: another kind")

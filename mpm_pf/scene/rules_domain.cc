@@ -146,6 +146,16 @@ namespace scene
                         "side");
             break;
           }
+          else if (in.present("solid") && over[static_cast<std::size_t>(edge)] > -slack &&
+                   domain.boundary[static_cast<std::size_t>(edge)] == Boundary::periodic)
+          {
+            in.complain(at,
+                        "the body lies on the periodic side " + word(edge) +
+                            ", which carries fields across but no material",
+                        "a solid inside the domain; symmetry sides where it is to be confined",
+                        "enlarge [domain] size, or make the sides symmetry sides");
+            break;
+          }
     }
   }
 

@@ -10,6 +10,9 @@ namespace scene
 {
   namespace
   {
+    // A record of more is a slip of the unit: a run has at most as many steps.
+    constexpr double most_records = 1e7;
+
     bool in_domain(const Point &p, const Domain &domain)
     {
       const double slack = 1e-6 * domain.spacing().minCoeff();
@@ -207,6 +210,11 @@ namespace scene
                     "an interval of " + number_text(*probe.every) + " is longer than the run",
                     "at most the end, " + number_text(in.scene().clock.end),
                     "shorten it, or run longer");
+      if (clock && probe.every && end / *probe.every > most_records)
+        in.complain(*at.find("every"),
+                    "an interval of " + number_text(*probe.every) + " makes " +
+                        number_text(std::floor(end / *probe.every)) + " records",
+                    "at most " + number_text(most_records) + " records", "a longer interval");
       if (!probe.compressions.empty() && !in.present("wall"))
         in.complain(*at.find("compressions"), "compressions without a wall", "",
                     "add [[wall]], or give times");

@@ -57,6 +57,26 @@ TEST(Newton, ConvergesQuadraticallyInPlasticFlow)
   EXPECT_GE(quadratic, plastic_steps - 1);
 }
 
+// Oblique cells round what squares would leave 0; the load comes after half the time.
+TEST(Newton, TakesABodyWithoutLoadForOneInEquilibrium)
+{
+  for (const double poisson_ratio : {0., 0.3, 0.49})
+  {
+    scene::Scene scene = fe_test::solid_scene(1e4, {6, 6}, 2, 4);
+    scene.solid->poisson_ratio = poisson_ratio;
+    scene::Body body;
+    body.shape = scene::Polygon{{{{0., 0.}, {1., 0.}, {1., 1.}, {0., 1.}},
+                                 {{0.4, 0.4}, {0.6, 0.4}, {0.6, 0.6}, {0.4, 0.6}}}};
+    scene.bodies = {body};
+    scene.supports = {support("bottom", scene::Edge::bottom, "0", "0"),
+                      support("top", scene::Edge::top, "0", "0.01*max(0, t - 0.5)")};
+    const fe::Problem problem = fe_test::problem_of(scene);
+    const fe::Outcome outcome = solve(scene, problem);
+    ASSERT_EQ(outcome.kind, fe::Outcome::Kind::complete) << poisson_ratio << outcome.message;
+    EXPECT_EQ(outcome.pace.steps, 4);
+  }
+}
+
 TEST(Strip, FollowsElasticAndPerfectlyPlasticPlaneStrain)
 {
   // sigma_y = E eps/(1 - nu^2) until yield; near the plateau 2/sqrt(3) sigma_Y = 69282 at 0.5 %,
