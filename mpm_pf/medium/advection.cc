@@ -13,54 +13,18 @@ namespace medium
 
   namespace
   {
-    /// Three rows of a field round the one in hand.
-    struct RowsOf
+    /// to = from, ghosts too.
+    void copy_rows(const Field<double> &from, Field<double> &to)
     {
-      RowsOf(const Field<double> &f, int j)
-          : below(f.row(j - 1)), here(f.row(j)), above(f.row(j + 1))
+      if (to.empty())
       {
+        to = from;
+        return;
       }
-      const double *below, *here, *above;
-    };
-
-    /// x, y += centred differences of (now - before) on one row.
-    void add_slopes(const RowsOf &now, const RowsOf &before, int count, double per_x, double per_y,
-                    double *x, double *y)
-    {
-#pragma omp simd
-      for (int i = 0; i < count; ++i)
-      {
-        x[i] += per_x *
-                ((now.here[i + 1] - now.here[i - 1]) - (before.here[i + 1] - before.here[i - 1]));
-        y[i] += per_y * ((now.above[i] - now.below[i]) - (before.above[i] - before.below[i]));
-      }
-    }
-
-    /// xy += centred mixed difference of (now - before) on one row.
-    void add_twists(const RowsOf &now, const RowsOf &before, int count, double per_xy, double *xy)
-    {
-#pragma omp simd
-      for (int i = 0; i < count; ++i)
-        xy[i] += per_xy *
-                 (((now.above[i + 1] - now.above[i - 1]) - (now.below[i + 1] - now.below[i - 1])) -
-                  ((before.above[i + 1] - before.above[i - 1]) -
-                   (before.below[i + 1] - before.below[i - 1])));
-    }
-
-    /// Gradients += centred differences of (now - before).
-    void add_differences(const Field<double> &now, const Field<double> &before, Gradients &target,
-                         const Mesh &mesh)
-    {
-      const double per_x = 0.5 / mesh.spacing[0], per_y = 0.5 / mesh.spacing[1];
 #pragma omp parallel for schedule(static)
-      for (int j = 0; j < mesh.nodes[1]; ++j)
-      {
-        const RowsOf new_rows(now, j), old_rows(before, j);
-        add_slopes(new_rows, old_rows, mesh.nodes[0], per_x, per_y, target.x.row(j),
-                   target.y.row(j));
-        if (!target.xy.empty())
-          add_twists(new_rows, old_rows, mesh.nodes[0], per_x * per_y, target.xy.row(j));
-      }
+      for (int j = -ghost_layers; j < from.nodes(1) + ghost_layers; ++j)
+        std::copy(from.row(j) - ghost_layers, from.row(j) + from.nodes(0) + ghost_layers,
+                  to.row(j) - ghost_layers);
     }
 
     void fill_gradient_ghosts(Gradients &g, const Mesh &mesh)
@@ -144,60 +108,61 @@ namespace medium
     fill_gradient_ghosts(gradients, mesh);
   }
 
-  /// Brings the gradients up to date with whatever changed f since the last advection.
-  void Advection::catch_up(Field<double> &f, Gradients &gradients) const
+  /// Throws where a step of dt shifts the field by more cells than the scheme can bear.
+  void Advection::check_shift(double shift, double dt) const
   {
-    fill_ghosts(f, mesh);
-    if (gradients.x.empty())
-    {
-      gradients.x = gradients.y = gradients.last = Field<double>(mesh);
-      if (chosen == AdvectionScheme::cip_hermite)
-        gradients.xy = Field<double>(mesh);
-    }
-    add_differences(f, gradients.last, gradients, mesh); // at first from zero
-    fill_gradient_ghosts(gradients, mesh);
+    if (shift <= largest_shift(chosen) * (1. + 1e-9))
+      return;
+    std::ostringstream text;
+    text << "advection over " << dt << " shifts the field by " << shift
+         << " cells along an axis; the scheme is stable up to " << largest_shift(chosen)
+         << ": shorten the step (advection.step_fraction or clock.step)";
+    throw NumericalTrouble(text.str());
   }
 
   void Advection::advect_cip(Field<double> &f, Gradients &gradients, const Velocity &velocity,
                              double dt)
   {
-    catch_up(f, gradients);
+    const bool hermite = chosen == AdvectionScheme::cip_hermite;
+    fill_ghosts(f, mesh);
+    if (gradients.x.empty()) // gradients and all: the first differences are those from zero
+    {
+      gradients.x = gradients.y = gradients.last = Field<double>(mesh);
+      if (hermite)
+        gradients.xy = Field<double>(mesh);
+    }
     if (new_x.empty())
       new_x = new_y = Field<double>(mesh);
-    const bool hermite = chosen == AdvectionScheme::cip_hermite;
     if (hermite && new_xy.empty())
       new_xy = Field<double>(mesh);
-    const CipFields fields{&f,     &gradients.x, &gradients.y, &gradients.xy,
-                           &new_f, &new_x,       &new_y,       &new_xy};
-    if (hermite)
-      cip_hermite(fields, velocity, dt, mesh);
-    else
-      cip_type_a(fields, velocity, dt, mesh);
+    const CipFields fields{&f,
+                           &gradients.last,
+                           &gradients.x,
+                           &gradients.y,
+                           hermite ? &gradients.xy : nullptr,
+                           &new_f,
+                           &new_x,
+                           &new_y,
+                           hermite ? &new_xy : nullptr};
+    check_shift((hermite ? cip_hermite : cip_type_a)(fields, velocity, dt, mesh), dt);
     keep_fixed_sides(new_f, f, mesh);
     f.swap(new_f);
     gradients.x.swap(new_x);
     gradients.y.swap(new_y);
     gradients.xy.swap(new_xy);
     fill_ghosts(f, mesh);
-    gradients.last = f;
+    fill_gradient_ghosts(gradients, mesh);
+    copy_rows(f, gradients.last);
   }
 
   void Advection::advect(Field<double> &f, Gradients &gradients, const Velocity &velocity,
                          double dt)
   {
-    const double shift = dt * crossing_rate(velocity, mesh);
-    if (!(shift <= largest_shift(chosen) * (1. + 1e-9)))
-    {
-      std::ostringstream text;
-      text << "advection over " << dt << " shifts the field by " << shift
-           << " cells along an axis; the scheme is stable up to " << largest_shift(chosen)
-           << ": shorten the step (advection.step_fraction or clock.step)";
-      throw NumericalTrouble(text.str());
-    }
     if (new_f.empty())
       new_f = Field<double>(mesh);
     if (carries_gradients())
       return advect_cip(f, gradients, velocity, dt);
+    check_shift(dt * crossing_rate(velocity, mesh), dt);
     fill_ghosts(f, mesh);
     const Field<double> before = f;
     if (chosen == AdvectionScheme::weno5)

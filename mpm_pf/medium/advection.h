@@ -47,7 +47,7 @@ namespace medium
 
   private:
     bool carries_gradients() const;
-    void catch_up(Field<double> &f, Gradients &) const;
+    void check_shift(double shift, double dt) const;
     void advect_cip(Field<double> &f, Gradients &, const Velocity &, double dt);
 
     Mesh mesh;

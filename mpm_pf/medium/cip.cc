@@ -1,5 +1,6 @@
 #include "medium/cip.h"
 
+#include "medium/current_gradients.h"
 #include "medium/departure.h"
 #include "medium/upwind_cell.h"
 
@@ -47,8 +48,8 @@ namespace medium
               sy * ((3. * c03 * y + 2. * (c02 + c12 * x)) * y + k00 + (c11 + c21 * x) * x)};
     }
 
-    void type_a_row(const CarriedRows &r, const VelocityRows &w, int count, StepInCells dt,
-                    CellSize cell)
+    double type_a_row(const CarriedRows &r, const VelocityRows &w, int count, StepInCells dt,
+                      CellSize cell)
     {
       const double per_x = 1. / cell.x, per_y = 1. / cell.y;
 #pragma omp simd
@@ -60,16 +61,22 @@ namespace medium
         r.x.next[i] = per_x * (d.xx * p.g + d.yx * p.k);
         r.y.next[i] = per_y * (d.xy * p.g + d.yy * p.k);
       }
+      return largest_shift(w, count, dt);
     }
   } // namespace
 
-  void cip_type_a(const CipFields &a, const Velocity &velocity, double dt, const Mesh &mesh)
+  double cip_type_a(const CipFields &a, const Velocity &velocity, double dt, const Mesh &mesh)
   {
     const CellSize cell{mesh.spacing[0], mesh.spacing[1]};
-#pragma omp parallel for schedule(static)
-    for (int j = 0; j < mesh.nodes[1]; ++j)
-      type_a_row({FieldRows(*a.f, *a.new_f, j), FieldRows(*a.x, *a.new_x, j),
-                  FieldRows(*a.y, *a.new_y, j)},
-                 velocity_rows(velocity, j), mesh.nodes[0], {dt / cell.x, dt / cell.y}, cell);
+    return sweep_rows(a, mesh,
+                      [&](const CurrentGradients &g, int j)
+                      {
+                        return type_a_row(
+                            {{a.f->row(j - 1), a.f->row(j), a.f->row(j + 1), a.new_f->row(j)},
+                             {g.x(2), g.x(1), g.x(0), a.new_x->row(j)},
+                             {g.y(2), g.y(1), g.y(0), a.new_y->row(j)}},
+                            velocity_rows(velocity, j), mesh.nodes[0], {dt / cell.x, dt / cell.y},
+                            cell);
+                      });
   }
 } // namespace medium

@@ -16,16 +16,18 @@
 
 namespace medium
 {
-  /// Fields read (with ghosts) and written (nodes only) by one step. The mixed derivative is null
-  /// for type A.
+  /// Fields read (with ghosts) and written (nodes only) by one step. The gradients are those that
+  /// `last` had: what has changed f since then is differenced on the way. The mixed derivative is
+  /// null for type A.
   struct CipFields
   {
-    const Field<double> *f, *x, *y, *xy;
+    const Field<double> *f, *last, *x, *y, *xy;
     Field<double> *new_f, *new_x, *new_y, *new_xy;
   };
 
-  /// One step of type A at all nodes. Shapes: nodal fields on `mesh`; dt in time.
-  void cip_type_a(const CipFields &, const Velocity &, double dt, const Mesh &);
-  /// One step of the bicubic Hermite form.
-  void cip_hermite(const CipFields &, const Velocity &, double dt, const Mesh &);
+  /// One step of type A at all nodes. Shapes: nodal fields on `mesh`; dt in time. Returns the
+  /// largest of |u| dt/dx and |v| dt/dy.
+  double cip_type_a(const CipFields &, const Velocity &, double dt, const Mesh &);
+  /// One step of the bicubic Hermite form; the same.
+  double cip_hermite(const CipFields &, const Velocity &, double dt, const Mesh &);
 } // namespace medium

@@ -1,4 +1,5 @@
 #include "medium/cip.h"
+#include "medium/current_gradients.h"
 #include "medium/departure.h"
 #include "medium/upwind_cell.h"
 
@@ -55,8 +56,8 @@ namespace medium
       FieldRows f, x, y, xy;
     };
 
-    void hermite_row(const CarriedRows &r, const VelocityRows &w, int count, StepInCells dt,
-                     double cell_x, double cell_y)
+    double hermite_row(const CarriedRows &r, const VelocityRows &w, int count, StepInCells dt,
+                       double cell_x, double cell_y)
     {
 #pragma omp simd
       for (int i = 0; i < count; ++i)
@@ -85,17 +86,23 @@ namespace medium
             (d.xx * d.xy * f_xx + (d.xx * d.yy + d.xy * d.yx) * f_xy + d.yx * d.yy * f_yy) /
             (cell_x * cell_y);
       }
+      return largest_shift(w, count, dt);
     }
   } // namespace
 
-  void cip_hermite(const CipFields &a, const Velocity &velocity, double dt, const Mesh &mesh)
+  double cip_hermite(const CipFields &a, const Velocity &velocity, double dt, const Mesh &mesh)
   {
     const StepInCells step{dt / mesh.spacing[0], dt / mesh.spacing[1]};
-#pragma omp parallel for schedule(static)
-    for (int j = 0; j < mesh.nodes[1]; ++j)
-      hermite_row({FieldRows(*a.f, *a.new_f, j), FieldRows(*a.x, *a.new_x, j),
-                   FieldRows(*a.y, *a.new_y, j), FieldRows(*a.xy, *a.new_xy, j)},
-                  velocity_rows(velocity, j), mesh.nodes[0], step, mesh.spacing[0],
-                  mesh.spacing[1]);
+    return sweep_rows(a, mesh,
+                      [&](const CurrentGradients &g, int j)
+                      {
+                        return hermite_row(
+                            {{a.f->row(j - 1), a.f->row(j), a.f->row(j + 1), a.new_f->row(j)},
+                             {g.x(2), g.x(1), g.x(0), a.new_x->row(j)},
+                             {g.y(2), g.y(1), g.y(0), a.new_y->row(j)},
+                             {g.xy(2), g.xy(1), g.xy(0), a.new_xy->row(j)}},
+                            velocity_rows(velocity, j), mesh.nodes[0], step, mesh.spacing[0],
+                            mesh.spacing[1]);
+                      });
   }
 } // namespace medium

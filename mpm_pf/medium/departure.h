@@ -1,6 +1,9 @@
 // Where the material at a node comes from within one step, and how the way there is deformed.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "medium/field.h"
 
 namespace medium
@@ -22,6 +25,21 @@ namespace medium
   {
     double x, y;
   };
+
+  /// Largest of |u| dt/dx and |v| dt/dy along a row.
+  inline double largest_shift(const VelocityRows &w, int count, StepInCells dt)
+  {
+    const double *u = w.u, *v = w.v;
+    double x = 0., y = 0.;
+#pragma omp simd reduction(max : x, y)
+    for (int i = 0; i < count; ++i)
+    {
+      const double a = std::fabs(u[i]), b = std::fabs(v[i]);
+      x = a > x ? a : x;
+      y = b > y ? b : y;
+    }
+    return std::max(x * dt.x, y * dt.y);
+  }
 
   /// Shift to the departure point in cells, and the Jacobian of the departure map in cell units.
   struct Departure

@@ -1,9 +1,31 @@
 #include "medium/field.h"
 
 #include <cmath>
+#include <cstdint>
+#include <new>
+
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
 
 namespace medium
 {
+  void *allocate_lines(std::size_t bytes)
+  {
+    constexpr std::size_t line = 64, page = 4096, large = std::size_t{4} << 20;
+    void *memory = std::aligned_alloc(line, (bytes + line - 1) / line * line);
+    if (!memory)
+      throw std::bad_alloc();
+#ifdef __linux__
+    if (bytes >= large) // only advice: without huge pages all is as before
+    {
+      const std::size_t before = (page - reinterpret_cast<std::uintptr_t>(memory) % page) % page;
+      madvise(static_cast<char *>(memory) + before, (bytes - before) / page * page, MADV_HUGEPAGE);
+    }
+#endif
+    return memory;
+  }
+
   namespace
   {
     /// Value beyond a border: from the value at its source and, for a fixed side, at the border.

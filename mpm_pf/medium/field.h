@@ -7,14 +7,19 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdlib>
 #include <memory>
-#include <new>
 #include <utility>
 
 #include "medium/mesh.h"
 
 namespace medium
 {
+  /// Memory that begins on a 64-byte line; of huge pages, where it is large and the system has
+  /// them: sweeps over several fields touch more pages at once than the processor keeps track of.
+  /// To be given back by std::free. Throws std::bad_alloc.
+  void *allocate_lines(std::size_t bytes);
+
   template <class T>
   class Field
   {
@@ -27,7 +32,7 @@ namespace medium
       row_pitch = lead + round_up(nodes_x + ghost_layers);
       if (row_pitch * sizeof(T) % 4096 == 0)
         row_pitch += lead;
-      memory.reset(static_cast<T *>(::operator new[](size() * sizeof(T), alignment)));
+      memory.reset(static_cast<T *>(allocate_lines(size() * sizeof(T))));
       std::fill_n(memory.get(), size(), value);
     }
     Field(const Field &other) { *this = other; }
@@ -37,9 +42,8 @@ namespace medium
       if (this == &other)
         return *this;
       if (size() != other.size())
-        memory.reset(other.empty()
-                         ? nullptr
-                         : static_cast<T *>(::operator new[](other.size() * sizeof(T), alignment)));
+        memory.reset(other.empty() ? nullptr
+                                   : static_cast<T *>(allocate_lines(other.size() * sizeof(T))));
       nodes_x = other.nodes_x, nodes_y = other.nodes_y, row_pitch = other.row_pitch;
       std::copy_n(other.memory.get(), size(), memory.get());
       return *this;
@@ -70,7 +74,6 @@ namespace medium
 
   private:
     static constexpr std::size_t lead = 64 / sizeof(T);
-    static constexpr std::align_val_t alignment{64};
     static_assert(lead >= ghost_layers, "the ghosts left of a row fit into one line");
     static std::size_t round_up(int count)
     {
@@ -86,7 +89,7 @@ namespace medium
     }
     struct Free
     {
-      void operator()(T *p) const { ::operator delete[](p, alignment); }
+      void operator()(T *p) const { std::free(p); }
     };
 
     int nodes_x = 0, nodes_y = 0;

@@ -8,10 +8,6 @@ namespace medium
   /// Three rows of one field round the row in hand, and the row where its new values go.
   struct FieldRows
   {
-    FieldRows(const Field<double> &field, Field<double> &target, int j)
-        : below(field.row(j - 1)), here(field.row(j)), above(field.row(j + 1)), next(target.row(j))
-    {
-    }
     const double *below, *here, *above;
     double *next;
   };
