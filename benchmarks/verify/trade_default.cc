@@ -79,6 +79,22 @@ namespace verify
       return values;
     }
 
+    const std::vector<std::string> levels{"\"draft\"", "\"standard\"", "\"fine\""};
+
+    /// What a preset chooses must not be the scene's own word. A Mach number stays: whether inertia
+    /// may be scaled is what a case is about, not how well it is resolved.
+    std::vector<std::string> left_to_the_preset()
+    {
+      return {"domain.cells=",
+              "mpm.points_per_cell=",
+              "growth.precision=",
+              "advection.scheme=",
+              "advection.step_fraction=",
+              "fe.cells=",
+              "fe.degree=",
+              "fe.load_steps="};
+    }
+
     std::vector<Family> families_of(const scene::Scene &s)
     {
       std::vector<Family> families{{"cells", "domain.cells", scaled(s.domain.cells), {}}};
@@ -100,15 +116,7 @@ namespace verify
                             "advection.scheme",
                             {"\"cip\"", "\"cip_hermite\"", "\"weno5\"", "\"upwind\""},
                             {}});
-      std::vector<std::string> given{"domain.cells="};
-      if (s.mpm)
-        given.insert(given.end(), {"mpm.points_per_cell=", "mpm.mach="});
-      if (s.growth)
-        given.push_back("growth.precision=");
-      if (s.advection)
-        given.insert(given.end(), {"advection.scheme=", "advection.step_fraction="});
-      families.push_back(
-          {"accuracy presets", "accuracy", {"\"draft\"", "\"standard\"", "\"fine\""}, given});
+      families.push_back({"accuracy presets", "accuracy", levels, left_to_the_preset()});
       return families;
     }
 
@@ -122,6 +130,8 @@ namespace verify
            {}}};
       if (fe.cells[0] > 0)
         families.push_back({"finite elements, cells", "fe.cells", scaled(fe.cells), {}});
+      families.push_back(
+          {"accuracy presets, finite elements", "accuracy", levels, left_to_the_preset()});
       return families;
     }
 

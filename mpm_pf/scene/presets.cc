@@ -8,6 +8,7 @@
 #include "scene/build.h"
 #include "scene/geometry.h"
 #include "scene/inputs.h"
+#include "scene/quasi_static.h"
 
 namespace scene
 {
@@ -52,6 +53,7 @@ namespace scene
       double spacing_of_growth; // dx/W0 where a crystal grows
       double spacing_of_marker; // dx/W where a passive phi is only carried
       double cells_of_elastic;  // across the thinnest body of a solid alone
+      double cells_along;       // and along the longest, for a body that is thin nowhere
       double cells_of_plastic;  // the same where it yields: shear bands want more
       int points_per_cell;      // in each direction
       double mach;              // of a solid that is driven, not thrown
@@ -65,46 +67,50 @@ namespace scene
 
     const Level &level_of(const Accuracy accuracy)
     {
-      static const Level draft{0.8, 0.67, 2., 10., 2, 5e-3, "float", "cip_hermite", 0.4, 2, 50, 2.},
-          standard{0.6, 0.5, 4., 20., 2, 2e-3, "float", "cip_hermite", 0.4, 2, 50, 5.},
-          fine{0.4, 0.25, 8., 40., 2, 1e-3, "float", "cip_hermite", 0.4, 2, 100, 10.};
+      static const Level draft{0.8,     0.67,          2.,  12., 10., 2, 5e-3,
+                               "float", "cip_hermite", 0.4, 2,   50,  2.},
+          standard{0.6, 0.5, 4., 24., 20., 2, 2e-3, "float", "cip_hermite", 0.4, 2, 50, 5.},
+          fine{0.4, 0.25, 8., 48., 40., 2, 1e-3, "float", "cip_hermite", 0.4, 2, 100, 10.};
       return accuracy == Accuracy::draft ? draft : accuracy == Accuracy::fine ? fine : standard;
     }
 
-    /// The smallest side of the bodies' bounding boxes; of a ring its thickness.
-    double thinnest(const std::vector<Body> &bodies)
+    double mean_width(const Polygon &polygon)
     {
-      double smallest = 0.;
+      double area = 0., perimeter = 0.;
+      for (const Polyline &line : polygon.outlines)
+      {
+        area += signed_area(line);
+        for (std::size_t k = 0; k < line.size(); ++k)
+          perimeter += (line[(k + 1) % line.size()] - line[k]).norm();
+      }
+      return perimeter > 0. ? 2. * std::abs(area) / perimeter : 0.;
+    }
+
+    struct Sides
+    {
+      double thinnest = 0., longest = 0.;
+    };
+
+    /// Thickness and length of the bodies: the sides of their bounding boxes; of a ring its wall,
+    /// and of a free outline twice its area over its perimeter, which is the width of a long strip.
+    Sides sides_of(const std::vector<Body> &bodies)
+    {
+      Sides sides;
       for (const Body &body : bodies)
       {
+        if (std::holds_alternative<RecordedOutline>(body.shape))
+          continue; // its size is not known before it is read
         const Box box = bounding_box({body});
-        double side = (box.upper - box.lower).minCoeff();
+        const Point side = box.upper - box.lower;
+        double thickness = side.minCoeff();
         if (const auto *ring = std::get_if<Ring>(&body.shape))
-          side = ring->outer_radius - ring->inner_radius;
-        smallest = smallest > 0. ? std::min(smallest, side) : side;
+          thickness = ring->outer_radius - ring->inner_radius;
+        if (const auto *polygon = std::get_if<Polygon>(&body.shape))
+          thickness = std::min(thickness, mean_width(*polygon));
+        sides.thinnest = sides.thinnest > 0. ? std::min(sides.thinnest, thickness) : thickness;
+        sides.longest = std::max(sides.longest, side.maxCoeff());
       }
-      return smallest;
-    }
-
-    bool moves(const std::array<std::optional<Expression>, 2> &displacement)
-    {
-      return std::any_of(displacement.begin(), displacement.end(),
-                         [](const auto &component)
-                         { return component && component->text.find('t') != std::string::npos; });
-    }
-
-    /// Driven by supports or walls and by nothing whose time scale is the true density's: only then
-    /// may the density be scaled.
-    bool quasi_static(const Scene &s)
-    {
-      const bool driven = !s.walls.empty() ||
-                          std::any_of(s.supports.begin(), s.supports.end(),
-                                      [](const Support &one) { return moves(one.displacement); });
-      const bool thrown =
-          std::any_of(s.bodies.begin(), s.bodies.end(),
-                      [](const Body &body)
-                      { return body.velocity[0].text != "0" || body.velocity[1].text != "0"; });
-      return driven && !thrown && s.tractions.empty() && !s.body_force;
+      return sides;
     }
 
     /// A key of the preset: its value, and what the scene holds instead once it is read.
@@ -127,8 +133,10 @@ namespace scene
                (s.growth ? level.spacing_of_growth : level.spacing_of_marker);
       if (!s.solid || s.bodies.empty())
         return 0.;
-      return thinnest(s.bodies) /
-             (s.solid->yield_stress ? level.cells_of_plastic : level.cells_of_elastic);
+      const Sides sides = sides_of(s.bodies);
+      return s.solid->yield_stress ? sides.thinnest / level.cells_of_plastic
+                                   : std::min(sides.thinnest / level.cells_of_elastic,
+                                              sides.longest / level.cells_along);
     }
 
     std::array<int, 2> cells_of_domain(const Scene &s, const Level &level)
@@ -146,14 +154,14 @@ namespace scene
       choices.push_back({"mpm", "points_per_cell",
                          pair(level.points_per_cell, level.points_per_cell),
                          as_text(mpm.points_per_cell)});
-      if (quasi_static(s))
+      if (quasi_static(s, level.mach))
         choices.push_back({"mpm", "mach", number(level.mach), absent_or(mpm.mach)});
       if (s.phase_field || s.bodies.empty())
         return;
       const Fe fe = s.fe.value_or(Fe{});
       const Box box = bounding_box(s.bodies);
       const Point side = box.upper - box.lower;
-      const double size = thinnest(s.bodies) / level.elements_across_thinnest;
+      const double size = sides_of(s.bodies).thinnest / level.elements_across_thinnest;
       const auto along = [&](const int axis)
       { return std::max(1, static_cast<int>(std::lround(side[axis] / size))); };
       choices.push_back({"fe", "cells", pair(along(0), along(1)), as_text(fe.cells)});

@@ -64,6 +64,22 @@ TEST(Preset, NeverScalesTheDensityOfWhatIsThrown)
   EXPECT_FALSE(read(thrown, "draft").mpm->mach);
 }
 
+// The support moves as before, but the run ends before a wave has crossed the bar: inertia is what
+// is looked at.
+TEST(Preset, NeverScalesTheDensityOfAWave)
+{
+  const std::string brief = with(bar_without_knobs, "[clock]\nend = 1.0", "[clock]\nend = 1e-4");
+  EXPECT_TRUE(read(bar_without_knobs, "draft").mpm->mach);
+  EXPECT_FALSE(read(brief, "draft").mpm->mach);
+}
+
+// 0.4 m/s at a wave speed of 73 m/s: a Mach number of 5e-3 would take density away.
+TEST(Preset, NeverTakesDensityAway)
+{
+  const std::string light = with(bar_without_knobs, "density = 7800\n", "density = 5e7\n");
+  EXPECT_FALSE(read(light, "draft").mpm->mach);
+}
+
 TEST(Preset, IsPartOfWhatIsAsked)
 {
   EXPECT_NE(read(seed_without_cells, "draft").hash, read(seed_without_cells, "fine").hash);
