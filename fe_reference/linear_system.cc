@@ -2,6 +2,7 @@
 
 #include <Amesos.h>
 #include <Amesos_BaseSolver.h>
+#include <Amesos_Mumps.h>
 #include <Epetra_LinearProblem.h>
 #include <Epetra_MultiVector.h>
 #include <deal.II/base/index_set.h>
@@ -181,5 +182,32 @@ namespace fe
   const char *LinearSystem::solver_name() const
   {
     return trilinos->name;
+  }
+
+  double LinearSystem::matrix_bytes() const
+  {
+    const Trilinos &t = *trilinos;
+    return static_cast<double>(t.matrix.memory_consumption() + t.right_side.memory_consumption() +
+                               t.solution.memory_consumption() +
+                               t.slot.capacity() * sizeof(double *) +
+                               (t.first_slot.capacity() + t.owned.capacity()) * sizeof(int));
+  }
+
+  double LinearSystem::factor_bytes() const
+  {
+    if (!trilinos->ordered)
+      return 0.;
+    const double triplets = 16. * static_cast<double>(trilinos->matrix.n_nonzero_elements());
+    auto *mumps = dynamic_cast<Amesos_Mumps *>(trilinos->solver.get());
+    if (!mumps)
+      return triplets;
+    // INFO of MUMPS' manual, there counted from 1; negative numbers are millions.
+    const auto count = [mumps](const int number)
+    {
+      const double entries = mumps->GetINFO()[number - 1];
+      return entries < 0. ? -1e6 * entries : entries;
+    };
+    const double reals = count(39), integers = count(10); // workspace allocated; of the factors
+    return triplets + sizeof(double) * reals + sizeof(int) * integers;
   }
 } // namespace fe

@@ -38,6 +38,11 @@ namespace fe
     long factorisations() const;
     const char *solver_name() const;
 
+    /// Bytes that this process holds for the matrix with its slots and vectors, and for the
+    /// factorisation (0 before the first solution; of KLU only what it is given).
+    double matrix_bytes() const;
+    double factor_bytes() const;
+
   private:
     struct Trilinos;
     std::unique_ptr<Trilinos> trilinos;

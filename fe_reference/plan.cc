@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "load_stepping.h"
+#include "memory.h"
 #include "record/provenance.h"
 
 namespace fe
@@ -32,55 +33,54 @@ namespace fe
     }
   } // namespace
 
-  Plan make_plan(const QuadMesh &mesh, const scene::Scene &scene)
-  {
-    const scene::Fe settings = scene.fe.value_or(scene::Fe{});
-    const int degree = settings.degree;
-    Plan plan;
-    plan.cells = static_cast<int>(mesh.cells.size());
-    // Euler: sides = vertices + cells - 1 for one piece without holes.
-    const std::size_t sides = mesh.vertices.size() + mesh.cells.size() - 1;
-    const std::size_t nodes = mesh.vertices.size() + (degree == 2 ? sides + mesh.cells.size() : 0);
-    plan.unknowns = static_cast<int>(2 * nodes);
-    plan.integration_points = plan.cells * (degree + 1) * (degree + 1);
-    plan.load_steps = settings.load_steps;
-
-    const double n = plan.unknowns;
-    constexpr double operations_per_second = 1.5e9; // of the factorisation with reference BLAS
-    constexpr double iterations_per_step = 3.5;
-    const double unknowns_per_cell = degree == 1 ? 8. : 18.;
-    plan.factor_bytes = 8. * 8. * n * std::log2(n);
-    plan.state_bytes = 3. * plan.integration_points * sizeof(PointState) + 12. * 8. * n;
-    plan.tangent_bytes = plan.cells * unknowns_per_cell * unknowns_per_cell * 16.;
-    const double factorisation = 30. * std::pow(n, 1.5) * 4. / operations_per_second;
-    const double assembly = 4e-6 * plan.integration_points;
-    plan.seconds = plan.load_steps * iterations_per_step * (factorisation + assembly);
-    return plan;
-  }
-
-  void time_first_steps(Plan &plan, const Problem &problem, const scene::Scene &scene,
-                        const std::vector<double> &sampling_times)
+  Plan make_plan(const Problem &problem, const scene::Scene &scene,
+                 const std::vector<double> &sampling_times)
   {
     // Yielding takes more corrections than the elastic steps in which every load begins.
     constexpr double iterations_when_yielding = 5.;
-    constexpr double budget_s = 1.;
+    constexpr double budget_s = 0.5;
+    constexpr int most_steps = 10;
+    Plan plan;
+    plan.cells = problem.mesh.cells;
+    plan.unknowns = problem.mesh.unknowns();
+    plan.integration_points = plan.cells * problem.mesh.points_per_cell;
+    const int load_steps = scene.fe.value_or(scene::Fe{}).load_steps;
+    plan.load_steps = increments(scene.clock.end, load_steps, sampling_times);
+
     LinearSystem system(problem.mesh);
     const double begin = record::cpu_seconds();
+    // The first step also orders the matrix and touches all memory for the first time: what it
+    // takes counts once, the steps after it are the pace of the rest.
+    double first_end = begin, last_end = begin;
+    int first_iterations = 0, last_iterations = 0, steps = 0;
     Course course;
-    course.load_steps = 2;
-    course.end = 2. * scene.clock.end / plan.load_steps;
-    course.observe = [](const Step &) {};
-    course.interrupted = [&] { return record::cpu_seconds() - begin > budget_s; };
+    course.load_steps = most_steps;
+    course.end = most_steps * scene.clock.end / load_steps;
+    course.observe = [&](const Step &step)
+    {
+      steps = step.pace.steps;
+      last_end = record::cpu_seconds(), last_iterations = step.pace.iterations;
+      if (steps <= 1)
+        first_end = last_end, first_iterations = last_iterations;
+    };
+    course.interrupted = [&]
+    {
+      const bool enough = steps >= 2 && record::cpu_seconds() - begin > budget_s;
+      return sum_over_processes(enough ? 1. : 0.) > 0.;
+    };
     const Outcome outcome = follow(problem, system, initial_state(problem, scene), course);
-    const double spent = record::cpu_seconds() - begin;
-    const double iterations = std::max(1, outcome.pace.iterations);
-    const double steps = std::max(1, outcome.pace.steps);
-    plan.load_steps = increments(scene.clock.end, plan.load_steps, sampling_times);
-    const double each = scene.solid->yield_stress
-                            ? std::max(iterations_when_yielding, iterations / steps)
-                            : iterations / steps;
-    plan.seconds = begin + plan.load_steps * each * spent / iterations;
+    const bool paced = last_iterations > first_iterations;
+    const double iterations =
+        std::max(1, paced ? last_iterations - first_iterations : outcome.pace.iterations);
+    const double spent = paced ? last_end - first_end : record::cpu_seconds() - begin;
+    const double of_a_step = iterations / std::max(1, paced ? steps - 1 : outcome.pace.steps);
+    const double each = scene.solid->yield_stress && steps * 2 < plan.load_steps
+                            ? std::max(iterations_when_yielding, of_a_step)
+                            : of_a_step;
+    plan.seconds = first_end + plan.load_steps * each * spent / iterations;
     plan.resident_bytes = record::peak_rss_bytes();
+    plan.bytes = memory(problem, system);
+    return plan;
   }
 
   std::string describe(const Plan &plan)
@@ -89,13 +89,16 @@ namespace fe
     text << std::setprecision(4) << "  cells               " << plan.cells
          << "\n  unknowns            " << plan.unknowns << "\n  integration points  "
          << plan.integration_points << "\n  load steps          " << plan.load_steps
-         << " (at least; more where Newton needs smaller ones or probes look in between)"
-         << "\n  memory              "
-         << (plan.factor_bytes + plan.state_bytes + plan.tangent_bytes) / 1e6 << " MB (factors "
-         << plan.factor_bytes / 1e6 << ", tangent " << plan.tangent_bytes / 1e6 << ", state "
-         << plan.state_bytes / 1e6 << ")\n  estimated time      " << plan.seconds
-         << " s of CPU\nforecast cpu_s=" << plan.seconds
-         << " solver_bytes=" << plan.factor_bytes + plan.state_bytes + plan.tangent_bytes
+         << " (at least; more where Newton needs smaller ones)\n";
+    double sum = 0.;
+    for (const auto &[what, bytes] : plan.bytes)
+    {
+      text << "  memory, " << what << ": " << bytes / 1e6 << " MB\n";
+      sum += bytes;
+    }
+    text << "  memory, all modules: " << sum / 1e6 << " MB; resident " << plan.resident_bytes / 1e6
+         << " MB\n  estimated time      " << plan.seconds
+         << " s of CPU\nforecast cpu_s=" << plan.seconds << " solver_bytes=" << sum
          << " resident_bytes=" << plan.resident_bytes << "\n";
     return text.str();
   }

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "banner.h"
+#include "memory.h"
 #include "observer.h"
 #include "plan.h"
 #include "record/progress.h"
@@ -109,6 +110,8 @@ namespace fe
                          {"wall_s", wall},
                          {"cpu_s", cpu},
                          {"peak_rss_bytes", record::peak_rss_bytes()}};
+      for (const auto &[what, bytes] : memory(problem, system))
+        profile.numbers["bytes " + what] = bytes;
       return profile;
     }
 
@@ -170,10 +173,8 @@ namespace fe
   int show_plan(const scene::Scene &scene, const int threads)
   {
     refuse_active_sections(scene);
-    const QuadMesh mesh = make_mesh(scene);
-    Plan plan = make_plan(mesh, scene);
-    const Problem problem = make_problem(scene, mesh, threads);
-    time_first_steps(plan, problem, scene, Observer(scene, problem, nullptr).times());
+    const Problem problem = make_problem(scene, make_mesh(scene), threads);
+    const Plan plan = make_plan(problem, scene, Observer(scene, problem, nullptr).times());
     if (process_number() == 0)
       std::cout << banner(scene) << describe(plan);
     return record::all_right;

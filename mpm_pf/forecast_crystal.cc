@@ -21,14 +21,18 @@ namespace
     const bool single = world.scene->growth->precision == scene::Precision::single_precision;
     const double heat_alone = (single ? 0.6 : 1.1) * triad;
     const double active_now = count(medium::Activity::active);
-    const double each =
-        std::max(2. * heat_alone, (seconds - heat_alone * count(medium::Activity::heat_only)) /
-                                      std::max(1., active_now));
+    // What an active node costs at most (benchmarks/kernels): of a small seed, whose tiles are few,
+    // the rest of the time is spent once a step and does not grow with the crystal.
+    const double dearest = (single ? 8. : 16.) * (world.orientation ? 1.5 : 1.) * triad;
+    const double of_active =
+        std::max(0., seconds - heat_alone * count(medium::Activity::heat_only));
+    const double each = std::clamp(of_active / std::max(1., active_now), 2. * heat_alone, dearest);
+    const double every_step = std::max(0., of_active - each * active_now);
     forecast.counts["growth steps"] = steps;
     forecast.counts["active nodes, mean"] = load.active_nodes;
     forecast.counts["heated nodes, mean"] = load.heated_nodes;
     forecast.seconds["growth"] =
-        steps * (each * load.active_nodes + heat_alone * load.heated_nodes);
+        steps * (every_step + each * load.active_nodes + heat_alone * load.heated_nodes);
   }
   /// Points that will be sown, and the gradients that the melt's fields carry once they move.
   void foretell_pressed_memory(const World &world, const GrowthLoad &load, const double points,
@@ -113,6 +117,6 @@ void foretell_crystal(World &world, const double triad, Forecast &forecast)
   foretell_growth(world, load, triad, forecast);
   foretell_advection(world, load.end, forecast);
   forecast.bytes = memory(world);
-  if (world.solid)
-    foretell_pressing(world, load, forecast);
+  if (world.solid && (world.scene->walls.empty() || load.pressed_from < load.end))
+    foretell_pressing(world, load, forecast); // else no wall ever meets it, and no point is sown
 }

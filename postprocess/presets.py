@@ -8,12 +8,12 @@ measured with `accuracy = ...`: nothing is computed here that was not run.
 """
 
 import json
-import re
 import sys
 from pathlib import Path
 
+from between_marks import write_between_marks
+
 LEVELS = ["draft", "standard", "fine"]
-BEGIN, END = "<!-- presets: begin -->", "<!-- presets: end -->"
 
 
 def level(row):
@@ -52,15 +52,6 @@ def table(folder):
     return "\n".join(lines(trades)) + "\n" if trades else ""
 
 
-def write_between_marks(path, text):
-    """Replaces what stands between the marks of the file."""
-    old = path.read_text()
-    if BEGIN not in old or END not in old:
-        sys.exit(f"presets: {path} has no lines {BEGIN} and {END}")
-    new = re.sub(re.escape(BEGIN) + ".*?" + re.escape(END), lambda _: f"{BEGIN}\n{text}{END}", old, count=1, flags=re.S)
-    path.write_text(new)
-
-
 def main(arguments):
     if len(arguments) not in (1, 2):
         print(__doc__)
@@ -70,7 +61,7 @@ def main(arguments):
         print(f"presets: {arguments[0]}/tradeoff holds no row that was measured with `accuracy`; run `verify tradeoff CASE` first", file=sys.stderr)
         return 4
     if len(arguments) == 2:
-        write_between_marks(Path(arguments[1]), text)
+        write_between_marks(Path(arguments[1]), "presets", text)
     else:
         print(text, end="")
     return 0

@@ -119,7 +119,7 @@ def write(folder):
         case["wall_s"] = sum(run["wall_s"] for run in case["runs"])
     here = Path(__file__).resolve().parent
     environment = jinja2.Environment(loader=jinja2.FileSystemLoader(here), autoescape=True, trim_blocks=True, lstrip_blocks=True)
-    environment.filters.update(sig=significant, mb=size)
+    environment.filters.update(sig=significant, mb=size, parts=report_modules.parts_table)
     page = environment.get_template("report.html").render(
         campaign=campaign,
         meaning=MEANING.get(campaign["exit_code"], ""),

@@ -1,7 +1,10 @@
+#!/usr/bin/python3
 """Only what a scene requires, from campaign.json: which modules each case has switched on, what each of them holds and costs, and what the
 solver had foretold of it.
 
-    postprocess/report_modules.py RESULTS_DIR      prints the table as Markdown
+    postprocess/report_modules.py RESULTS_DIR [README]
+
+Prints the table as Markdown, or writes it between the lines `<!-- modules: begin -->` and `<!-- modules: end -->` of a text file.
 """
 
 import json
@@ -10,7 +13,11 @@ import sys
 from html import escape
 from pathlib import Path
 
-MARKS = {"met": "✓", "missed": "✗", "not measured": "–"}
+from between_marks import write_between_marks
+
+MARKS = {"met": "✓", "missed": "✗", "not judged": "–"}
+# The whole of a run, and what is counted within another part.
+FRAME = ("set-up", "solve", "output")
 
 
 def modules(text):
@@ -19,7 +26,11 @@ def modules(text):
 
 
 def megabytes(value):
-    return "–" if value is None else f"{value / 1e6:.3g}"
+    """Three digits, without exponents; nothing below a kilobyte."""
+    if value is None:
+        return "–"
+    mb = value / 1e6
+    return f"{mb:.0f}" if mb >= 100 else f"{mb:.3g}" if mb >= 0.01 else f"{mb:.3f}"
 
 
 def held(run):
@@ -27,67 +38,112 @@ def held(run):
     return {name[6:]: value for name, value in run.get("profile", {}).items() if name.startswith("bytes ") and value}
 
 
-def memory_text(run):
-    """"solid points 1.2/1.2, ..." in MB, foretold over measured, module by module."""
+def memory_rows(run):
+    """(module, MB foretold, MB measured), largest first."""
     foretold, measured = run["forecast"].get("bytes") or {}, held(run)
     names = [name for name in dict.fromkeys([*foretold, *measured]) if foretold.get(name) or measured.get(name)]
-    return ", ".join(f"{name} {megabytes(foretold.get(name))}/{megabytes(measured.get(name))}" for name in names)
+    names.sort(key=lambda name: -(measured.get(name) or foretold.get(name)))
+    return [(name, megabytes(foretold.get(name)), megabytes(measured.get(name))) for name in names]
 
 
-def time_text(run):
+def part_rows(run):
+    """(part, CPU s, share of the run, calls), dearest first; parts that took nothing are left out."""
     parts = run.get("parts", {})
-    shown = sorted(((name, part["cpu_s"]) for name, part in parts.items() if part["cpu_s"] > 0), key=lambda p: -p[1])
-    return ", ".join(f"{name} {seconds:.2g}" for name, seconds in shown)
+    whole = sum(parts[name]["cpu_s"] for name in FRAME if name in parts) or 1.0
+    shown = sorted(((name, part) for name, part in parts.items() if name != "solve" and part["cpu_s"] > 0), key=lambda p: -p[1]["cpu_s"])
+    return [(name, f'{part["cpu_s"]:.2g}', f'{100 * part["cpu_s"] / whole:.0f} %', f'{part["calls"]:.0f}') for name, part in shown]
 
 
 def rows(campaign):
-    """One row a case and solver: its first run that came to an end and was foretold."""
+    """One row a case and solver: its longest run that came to an end and was foretold."""
     for case in campaign["cases"]:
-        seen = set()
+        longest = {}
         for run in case["runs"]:
-            if run.get("forecast") and run["solver"] not in seen:
-                seen.add(run["solver"])
-                yield case["case"], run
+            if run.get("forecast") and run["cpu_s"] > longest.get(run["solver"], {"cpu_s": -1})["cpu_s"]:
+                longest[run["solver"]] = run
+        for solver in sorted(longest, reverse=True):  # mpm_pf, then fe_reference
+            yield case["case"], longest[solver]
 
 
-def cells(case, run):
+def pair(foretold, measured, mark):
+    return f"{foretold} / {measured} {MARKS[mark]}"
+
+
+def sums_text(run):
+    """Solver's memory, resident memory and CPU time, foretold / measured and whether that was met."""
     forecast = run["forecast"]
-    time = f'{forecast["cpu_s"]:.2g}/{run["cpu_s"]:.2g} {MARKS[forecast["time"]]}'
-    solver = f'{megabytes(forecast["solver_bytes"])}/{megabytes(forecast["measured_solver_bytes"])} {MARKS[forecast["memory"]]}'
-    resident = f'{megabytes(forecast["resident_bytes"])}/{megabytes(run["peak_rss_bytes"])} {MARKS[forecast["resident"]]}'
-    return [case, run["solver"], ", ".join(modules(forecast["on"])), ", ".join(modules(forecast["off"])), memory_text(run), solver, resident, time, time_text(run)]
+    return (
+        pair(megabytes(forecast["solver_bytes"]), megabytes(forecast["measured_solver_bytes"]), forecast["memory"]),
+        pair(megabytes(forecast["resident_bytes"]), megabytes(run["peak_rss_bytes"]), forecast["resident"]),
+        pair(f'{forecast["cpu_s"]:.2g}', f'{run["cpu_s"]:.2g}', forecast["time"]),
+    )
 
 
-HEAD = ["case", "solver", "on", "off", "MB by module, foretold/measured", "solver MB", "resident MB", "CPU s", "CPU s by part"]
+def small_table(head, lines):
+    cells = "".join("<tr>" + "".join(f"<td{' class=n' if k else ''}>{escape(cell)}</td>" for k, cell in enumerate(line)) + "</tr>" for line in lines)
+    return "<table><tr>" + "".join(f"<th>{escape(name)}</th>" for name in head) + f"</tr>{cells}</table>" if lines else "–"
+
+
+def parts_table(run):
+    """HTML: the profile of one run by part, empty where its record has none."""
+    lines = part_rows(run)
+    return small_table(("part", "CPU s", "share", "calls"), lines) if lines else ""
+
+
+def line_of_page(case, run):
+    forecast = run["forecast"]
+    memory, resident, time = sums_text(run)
+    off = ", ".join(modules(forecast["off"]))
+    return (
+        f'<tr><td><a href="#{escape(case)}">{escape(case)}</a><br><span class="quiet">{escape(run["name"])}</span></td>'
+        f'<td class="wide">{escape(", ".join(modules(forecast["on"])))}' + (f'<br><span class="quiet">off: {escape(off)}</span>' if off else "") + "</td>"
+        f'<td class="n">{memory}</td><td class="n">{resident}</td><td class="n">{time}</td>'
+        f'<td>{small_table(("MB of", "foretold", "measured"), memory_rows(run))}</td><td>{parts_table(run)}</td></tr>'
+    )
 
 
 def page(campaign):
     """HTML of the table, empty where nothing was foretold."""
-    body = "".join("<tr>" + "".join(f"<td>{escape(cell)}</td>" for cell in cells(case, run)) + "</tr>" for case, run in rows(campaign))
+    body = "".join(line_of_page(case, run) for case, run in rows(campaign))
     if not body:
         return ""
-    sums = campaign.get("forecasts", {})
-    said = "; ".join(
-        f'{what}: {count["met"]} met, {count["missed"]} missed' for what, count in sums.items()
-    )
-    head = "".join(f"<th>{escape(name)}</th>" for name in HEAD)
+    said = "; ".join(f'{what}: {count["met"]} met, {count["missed"]} missed, {count["not judged"]} not judged' for what, count in campaign.get("forecasts", {}).items())
+    head = "".join(f"<th>{name}</th>" for name in ("case and run", "modules", "solver MB", "resident MB", "CPU s", "memory by module", "time by part"))
     note = (
-        "Every number foretold by --plan over the number measured. Met: the solver's memory within 10 %, resident memory within 10 % + 50 MB, "
-        f"CPU time within a factor 2 (3 where finite elements choose their steps or points are sown). All runs: {escape(said)}."
+        "Numbers are foretold by --plan / measured. ✓ met: the solver's memory within 10 %, resident memory within 10 % + 50 MB, CPU time within a "
+        "factor 2 (3 where finite elements choose their steps or points are sown); – not judged: below 1 s of CPU. What is off holds no byte and is "
+        f"never called. Parts may lie within others: points to nodes, nodes, nodes to points and sorting within solid, factorisations within the solve. The longest run of each case and solver is shown; of all runs: {escape(said)}."
     )
     return f'<p class="quiet">{note}</p><div class="scroll"><table><tr>{head}</tr>{body}</table></div>'
 
 
+def dearest(run, most=3):
+    return ", ".join(f"{name} {share}" for name, _, share, _ in part_rows(run)[:most])
+
+
 def markdown(campaign):
-    head = HEAD[:3] + HEAD[5:8]
-    lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
+    yield "| case | solver | modules on | solver MB | resident MB | CPU s | where the CPU time goes |"
+    yield "|---|---|---|---|---|---|---|"
     for case, run in rows(campaign):
-        line = cells(case, run)
-        lines.append("| " + " | ".join(line[:3] + line[5:8]) + " |")
-    return "\n".join(lines) + "\n"
+        memory, resident, time = sums_text(run)
+        yield f'| {case} | {run["solver"]} | {", ".join(modules(run["forecast"]["on"]))} | {memory} | {resident} | {time} | {dearest(run)} |'
+
+
+def main(arguments):
+    if len(arguments) not in (1, 2):
+        print(__doc__)
+        return 2
+    path = Path(arguments[0]) / "campaign.json"
+    text = "\n".join(markdown(json.loads(path.read_text()))) + "\n" if path.is_file() else ""
+    if text.count("\n") < 3:
+        print(f"report_modules: {arguments[0]} holds no campaign with forecasts; run `verify run` first", file=sys.stderr)
+        return 4
+    if len(arguments) == 2:
+        write_between_marks(Path(arguments[1]), "modules", text)
+    else:
+        print(text, end="")
+    return 0
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 2:
-        sys.exit("usage: report_modules.py RESULTS_DIR")
-    print(markdown(json.loads((Path(sys.argv[1]) / "campaign.json").read_text())), end="")
+    sys.exit(main(sys.argv[1:]))

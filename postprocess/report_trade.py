@@ -63,7 +63,8 @@ def plot(trade, measure):
     for k, family in enumerate(dict.fromkeys(row["family"] for row in trade["rows"])):
         colour = COLOURS[k % len(COLOURS)]
         own = sorted((row for row in good if row["family"] == family), key=cost)
-        picture.line([cost(row) for row in own], [row["errors"][measure] for row in own], family, colour, width=0.8)
+        elements = own and own[0]["solver"] == "fe_reference"  # dashed: colours come round again
+        picture.line([cost(row) for row in own], [row["errors"][measure] for row in own], family, colour, "4 2" if elements else "", 0.8)
         for pale in (True, False):
             chosen = [row for row in own if (row in best[row["solver"]]) != pale]
             titles = [title(row, row["errors"][measure]) for row in chosen]

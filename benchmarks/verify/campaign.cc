@@ -128,7 +128,7 @@ namespace verify
       return cases;
     }
 
-    /// Asks the solvers what the runs that came to an end should have cost.
+    /// Asks the solvers what the runs that came to an end should have cost, and judges that.
     void foretell(Campaign &campaign)
     {
       std::vector<Job> plans;
@@ -140,9 +140,15 @@ namespace verify
         run_jobs(plans, {campaign.options.cores, campaign.options.fresh});
       for (auto &result : campaign.cases)
         for (std::size_t i = 0; i < result.jobs.size(); ++i)
-          result.forecasts.push_back(result.outcomes[i].status == "complete"
-                                         ? read_forecast(forecast_job(result.jobs[i]).command.log)
-                                         : std::nullopt);
+        {
+          result.forecasts.emplace_back();
+          if (result.outcomes[i].status != "complete" || interrupted())
+            continue;
+          result.forecasts.back() = read_forecast(forecast_job(result.jobs[i]).command.log);
+          Json run = run_to_json(result.c.runs[i], result.jobs[i], result.outcomes[i]);
+          add_forecast(result.forecasts.back(), run);
+          result.verdicts.push_back(forecast_verdict(run));
+        }
     }
   } // namespace
 

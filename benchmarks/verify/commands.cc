@@ -135,12 +135,26 @@ namespace verify
     return code == 0 ? 0 : 2;
   }
 
+  namespace
+  {
+    int table(const Places &places, const char *script, const std::string &folder,
+              const std::string &readme)
+    {
+      std::vector<std::string> arguments{folder};
+      if (!readme.empty())
+        arguments.push_back(readme);
+      return run_python(places, script, arguments);
+    }
+  } // namespace
+
   int presets(const Places &places, const std::string &folder, const std::string &readme)
   {
-    std::vector<std::string> arguments{folder};
-    if (!readme.empty())
-      arguments.push_back(readme);
-    return run_python(places, "presets.py", arguments);
+    return table(places, "presets.py", folder, readme);
+  }
+
+  int modules(const Places &places, const std::string &folder, const std::string &readme)
+  {
+    return table(places, "report_modules.py", folder, readme);
   }
 
   int figures(const Places &places, const std::string &folder)

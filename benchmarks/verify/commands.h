@@ -20,5 +20,7 @@ namespace verify
   /// Error and cost per preset and case, from what `tradeoff` measured: on stdout, or into `readme`
   /// if it is not empty.
   int presets(const Places &, const std::string &folder, const std::string &readme);
+  /// Modules, memory and time per case from campaign.json: printed, or written into `readme`.
+  int modules(const Places &, const std::string &folder, const std::string &readme);
   int figures(const Places &, const std::string &folder);
 } // namespace verify

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "jobs.h"
+#include "judge.h"
 
 namespace verify
 {
@@ -28,6 +29,9 @@ namespace verify
   std::optional<Forecast> read_forecast(const std::string &log);
 
   /// Adds `forecast` to a run as run_to_json wrote it: what was foretold, what was measured, and
-  /// for memory and time "met", "missed" or "not measured".
+  /// for memory and time "met", "missed" or "not judged" (too short to say, or not recorded).
   void add_forecast(const std::optional<Forecast> &, nlohmann::ordered_json &run);
+
+  /// The check that a run's forecast is: its worst miss as a part of what is allowed.
+  Verdict forecast_verdict(const nlohmann::ordered_json &run);
 } // namespace verify

@@ -84,6 +84,10 @@ namespace
         "presets", "error and cost per preset and case, from what tradeoff measured");
     presets->add_option("--output", a.output, "where it was measured (default: results/full)");
     presets->add_option("--readme", a.readme, "write the table between the marks of this file");
+    auto *modules = app.add_subcommand(
+        "modules", "modules, memory and time per case, foretold and measured, from a campaign");
+    modules->add_option("--output", a.output, "folder of the campaign (default: results/quick)");
+    modules->add_option("--readme", a.readme, "write the table between the marks of this file");
   }
 
   /// The worst exit code of the cases; one that cannot be traded is only told of, unless it was
@@ -123,6 +127,8 @@ namespace
       return figures(places, a.output.empty() ? "results/full" : a.output);
     if (app.got_subcommand("presets"))
       return presets(places, a.output.empty() ? "results/full" : a.output, a.readme);
+    if (app.got_subcommand("modules"))
+      return modules(places, a.output.empty() ? "results/quick" : a.output, a.readme);
     if (app.got_subcommand("advise"))
       return advise(places, a.name, a.quantity, a.error,
                     a.output.empty() ? "results/full" : a.output);

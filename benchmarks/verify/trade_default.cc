@@ -33,14 +33,16 @@ namespace verify
       return nullptr;
     }
 
-    /// The first run of a solver on the case's own scene that is meant to succeed.
+    /// The run of a solver on the case's own scene that is meant to succeed: the scene as it
+    /// stands, or else the first.
     const Run *base_run(const Case &c, const std::string &solver)
     {
+      const Run *found = nullptr;
       for (const Run &run : c.runs)
         if (run.solver == solver && run.scene == c.scene && run.expect_exit == 0 &&
-            run.needs.empty())
-          return &run;
-      return nullptr;
+            run.needs.empty() && (!found || (!found->set.empty() && run.set.empty())))
+          found = &run;
+      return found;
     }
 
     bool of_one_run(const Take &take, const std::string &run)
@@ -50,15 +52,29 @@ namespace verify
                                              [&](const Take &inner) { return inner.run == run; }));
     }
 
-    /// Whether another run's answer can stand in the check's place.
+    /// A number that should be nothing, by its limit; what a run cost is none of these.
+    bool should_vanish(const Check &check)
+    {
+      return check.norm == "value" && check.low == 0. && check.high > 0. &&
+             check.take.kind != Take::Kind::number;
+    }
+
+    /// Whether the check tells how wrong one run is: against theory, finite elements, or another
+    /// quantity of the run itself.
     bool measures_error(const Check &check, const Case &c, const Run &base)
     {
-      if (check.norm == "value" || !check.order_over.empty() || !of_one_run(check.take, base.name))
+      const bool of_base =
+          !check.order_over.empty()
+              ? std::count(check.order_over.begin(), check.order_over.end(), base.name) > 0
+              : of_one_run(check.take, base.name);
+      if (!of_base || (check.norm == "value" && !should_vanish(check)))
         return false;
       if (check.against.kind != Against::Kind::run)
         return true;
+      if (!check.against.take.with.empty())
+        return false;
       const Run *other = run_named(c, check.against.take.run);
-      return other && other->solver == "fe_reference" && check.against.take.with.empty();
+      return other && (other->name == base.name || other->solver == "fe_reference");
     }
 
     struct Family
@@ -156,11 +172,22 @@ namespace verify
       {
         if (!measures_error(check, c, base))
           continue;
+        if (check.norm == "value") // should vanish
+        {
+          check.norm = "absolute";
+          check.against = Against{};
+          check.against.kind = Against::Kind::zero;
+        }
+        check.order_over.clear();
         check.low = 0.;
         check.high = std::numeric_limits<double>::infinity();
         check.uncertain_take.clear();
         check.uncertain_against.clear();
-        if (check.against.kind == Against::Kind::run && !run_named(trade.c, check.against.take.run))
+        const bool of_itself = check.against.take.run == base.name;
+        if (check.against.kind == Against::Kind::run && of_itself)
+          check.against.take.run.clear(); // each row's own
+        else if (check.against.kind == Against::Kind::run &&
+                 !run_named(trade.c, check.against.take.run))
         {
           trade.c.runs.push_back(*run_named(c, check.against.take.run));
           trade.references.push_back(check.against.take.run);

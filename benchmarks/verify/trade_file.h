@@ -27,7 +27,8 @@ namespace verify
   {
     Case c; // folder, suite, scene, constants; runs: the references, then the rows
     std::vector<Check>
-        measures; // one per quantity and norm, named "quantity, norm"; `take` without a run
+        measures; // one per quantity and norm, named "quantity, norm"; `take` without a run, and
+                  // `against` without one where a row is held against a quantity of its own
     std::vector<std::string> references;
     std::vector<TradeRow> rows;
     std::string reference_text; // for people

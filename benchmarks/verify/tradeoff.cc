@@ -84,6 +84,8 @@ namespace verify
         check.take.run = row.run.name;
         for (auto &inner : check.take.with)
           inner.run = row.run.name;
+        if (check.against.kind == Against::Kind::run && check.against.take.run.empty())
+          check.against.take.run = row.run.name;
         const Verdict verdict = judge(check, trade.c, records);
         errors[check.name] = number_or_null(verdict.value);
         if (!verdict.value)

@@ -207,7 +207,7 @@ namespace verify
       Json sums;
       for (const char *what : {"time", "memory", "resident"})
       {
-        sums[what] = {{"met", 0}, {"missed", 0}, {"not measured", 0}};
+        sums[what] = {{"met", 0}, {"missed", 0}, {"not judged", 0}};
         for (const auto &one : cases)
           for (const auto &run : one["runs"])
             if (run.contains("forecast"))

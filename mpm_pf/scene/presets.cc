@@ -67,8 +67,8 @@ namespace scene
 
     const Level &level_of(const Accuracy accuracy)
     {
-      static const Level draft{0.8,     0.67,          2.,  12., 10., 2, 5e-3,
-                               "float", "cip_hermite", 0.4, 2,   50,  2.},
+      static const Level draft{0.8,     0.67,          2.,  12., 10., 2,  5e-3,
+                               "float", "cip_hermite", 0.4, 2,   50,  2.5},
           standard{0.6, 0.5, 4., 24., 20., 2, 2e-3, "float", "cip_hermite", 0.4, 2, 50, 5.},
           fine{0.4, 0.25, 8., 48., 40., 2, 1e-3, "float", "cip_hermite", 0.4, 2, 100, 10.};
       return accuracy == Accuracy::draft ? draft : accuracy == Accuracy::fine ? fine : standard;
