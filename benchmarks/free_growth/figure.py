@@ -64,9 +64,9 @@ def figure17(results):
     right.axhline(0, color=style.THEORY, lw=1.8, alpha=0.4)
     right.axhspan(-3, 3, color=style.GREY, alpha=0.12, lw=0)
     left.set(xlabel="tip position ($W_0$)", ylabel="$V d_0/D$", ylim=(0.0145, 0.0175))
-    middle.set(xlabel="tip position ($W_0$)", ylabel=r"$\rho/d_0$", ylim=(5.5, 8.5))
+    middle.set(xlabel="tip position ($W_0$)", ylabel=r"$\rho/d_0$", ylim=(5.5, 9.0))
     right.set(xlabel="$(dx/W_0)^2$", ylabel="deviation of $V$ (%)", xlim=(0, None))
-    left.legend(loc="lower right", fontsize=6)
+    middle.legend(*left.get_legend_handles_labels(), loc="upper right", fontsize=6)
     panels.lettered((left, middle, right))
     return figure, curves
 
