@@ -212,7 +212,7 @@ namespace solid
     if (solid.scheme.anti_locking)
       solid.cells.resize(solid.grid.nodes.size(), solid.points.size());
     if (!solid.loads.tractions.empty())
-      solid.loads.shares.find_points(solid.tracers, solid.points, solid.grid);
+      solid.loads.shares.find_near(solid.tracers, solid.points, solid.grid);
   }
 
   double stable_step(const Solid &solid)

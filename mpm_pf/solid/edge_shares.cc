@@ -24,12 +24,13 @@ namespace solid
     }
   } // namespace
 
-  void EdgeShares::find_points(const Tracers &tracers, const Points &points, const Grid &grid)
+  void EdgeShares::find_near(const Tracers &tracers, const Points &points, const Grid &grid)
   {
-    near.clear(), nodes.clear();
+    near.clear(), chords.clear(), nodes.clear();
     sums.assign(grid.nodes.size(), Sums{});
-    // Two nodes between a chord and a point that share one, and one more that each may travel.
-    constexpr int reach = 4;
+    // Two nodes between two that share one, one more that each may travel, and one from the middle
+    // of each chord to its Gauss points.
+    constexpr int reach = 6;
     std::vector<std::uint8_t> close(grid.nodes.size(), 0);
     for (const auto &outline : tracers.outlines)
       for (std::size_t k = 0; k < outline.size(); ++k)
@@ -42,6 +43,14 @@ namespace solid
               if (grid.has(column, row))
                 close[grid.at(column, row)] = 1;
         }
+    for (std::size_t o = 0; o < tracers.outlines.size(); ++o)
+      for (std::size_t k = 0; k < tracers.outlines[o].size(); ++k)
+      {
+        const Point x = on_chord(tracers.outlines[o], k, 0.5)[1];
+        const int i = grid.nearest(x[0], 0), j = grid.nearest(x[1], 1);
+        if (grid.has(i, j) && close[grid.at(i, j)])
+          chords.push_back({o, k});
+      }
     for (std::size_t p = 0; p < points.active; ++p)
       if (close[grid.at(grid.nearest(points.x[p], 0), grid.nearest(points.y[p], 1))])
         near.push_back(static_cast<std::uint32_t>(p));
@@ -50,20 +59,19 @@ namespace solid
   void EdgeShares::add_loaded(const Tracers &tracers, const Scheme &scheme, const FoldTable &table,
                               const Grid &grid)
   {
-    for (const auto &outline : tracers.outlines)
-      for (std::size_t k = 0; k < outline.size(); ++k)
-        if (outline[k].loads != 0)
-          for_gauss_points(outline, k,
-                           [&](const Point &x, const Point &normal)
-                           {
-                             for_nodes(stencil(scheme, grid, table, x), grid,
-                                       [&](const std::ptrdiff_t n, const double w, const Point &)
-                                       {
-                                         if (sums[n].share == 0.)
-                                           sums[n].share = 1., nodes.push_back(n);
-                                         sums[n].loaded += w * normal;
-                                       });
-                           });
+    for (const Chord &chord : chords)
+      if (const auto &outline = tracers.outlines[chord.outline]; outline[chord.tracer].loads != 0)
+        for_gauss_points(outline, chord.tracer,
+                         [&](const Point &x, const Point &normal)
+                         {
+                           for_nodes(stencil(scheme, grid, table, x), grid,
+                                     [&](const std::ptrdiff_t n, const double w, const Point &)
+                                     {
+                                       if (sums[n].share == 0.)
+                                         sums[n].share = 1., nodes.push_back(n);
+                                       sums[n].loaded += w * normal;
+                                     });
+                         });
   }
 
   void EdgeShares::add_edges(const Tracers &tracers, const Scheme &scheme, const FoldTable &table,
@@ -78,19 +86,18 @@ namespace solid
             return false;
       return true;
     };
-    for (const auto &outline : tracers.outlines)
-      for (std::size_t k = 0; k < outline.size(); ++k)
-        for_gauss_points(outline, k,
-                         [&](const Point &x, const Point &normal)
-                         {
-                           if (touches(x))
-                             for_nodes(stencil(scheme, grid, table, x), grid,
-                                       [&](const std::ptrdiff_t n, const double w, const Point &)
-                                       {
-                                         if (sums[n].share != 0.)
-                                           sums[n].edge += w * normal;
-                                       });
-                         });
+    for (const Chord &chord : chords)
+      for_gauss_points(tracers.outlines[chord.outline], chord.tracer,
+                       [&](const Point &x, const Point &normal)
+                       {
+                         if (touches(x))
+                           for_nodes(stencil(scheme, grid, table, x), grid,
+                                     [&](const std::ptrdiff_t n, const double w, const Point &)
+                                     {
+                                       if (sums[n].share != 0.)
+                                         sums[n].edge += w * normal;
+                                     });
+                       });
   }
 
   void EdgeShares::add_points(const Points &points, const Scheme &scheme, const FoldTable &table,

@@ -21,8 +21,8 @@ namespace solid
   class EdgeShares
   {
   public:
-    /// After each sorting: the points that may see a loaded node until the next one.
-    void find_points(const Tracers &, const Points &, const Grid &);
+    /// After each sorting: the points and chords that may see a loaded node until the next one.
+    void find_near(const Tracers &, const Points &, const Grid &);
 
     /// Shares of the nodes that loaded chords touch, for the points and chords as they now are.
     void measure(const Tracers &, const Points &, const Scheme &, const FoldTable &, const Grid &,
@@ -40,6 +40,11 @@ namespace solid
     std::vector<Sums> sums; // of all nodes; zero but for those in use
     std::vector<std::ptrdiff_t> nodes;
     std::vector<std::uint32_t> near;
+    struct Chord
+    {
+      std::size_t outline, tracer; // that it starts from
+    };
+    std::vector<Chord> chords;
 
     void add_loaded(const Tracers &, const Scheme &, const FoldTable &, const Grid &);
     void add_edges(const Tracers &, const Scheme &, const FoldTable &, const Grid &);
