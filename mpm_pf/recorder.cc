@@ -4,6 +4,7 @@
 #include <limits>
 #include <type_traits>
 
+#include "melt/thin_interface.h"
 #include "observe.h"
 #include "scene/schedule.h"
 #include "scene/units.h"
@@ -12,6 +13,8 @@ Recorder::Recorder(const scene::Scene &scene, record::Writer &out)
     : writer(out), tolerance(1e-9 * scene.clock.end)
 {
   const double end = scene.clock.end;
+  if (scene.growth && scene.heat)
+    too_wide = melt::width_warning(scene.growth->capillary_length, scene.phase_field->width);
   std::vector<std::string> watched;
   for (const auto &probe : scene.probes)
   {

@@ -62,4 +62,17 @@ namespace melt
     }
     return law;
   }
+
+  std::string width_warning(const double capillary_length, const double width)
+  {
+    constexpr double most = 8.;
+    if (width <= most * capillary_length)
+      return {};
+    std::ostringstream text;
+    text.precision(3);
+    text << "under-resolved: the interface width W0 is " << width / capillary_length
+         << " capillary lengths d0; the thin-interface relations are shown to hold up to about "
+         << most << ": use a smaller W0";
+    return text.str();
+  }
 } // namespace melt

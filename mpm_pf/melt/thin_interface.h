@@ -9,6 +9,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "scene/scene.h"
 
@@ -31,6 +32,12 @@ namespace melt
   double coupling_constant(double capillary_length, double width);
   /// beta, time per length; zero is kinetics-free growth.
   double kinetic_coefficient(const Law &);
+
+  /// Why an interface of this width is no thin one beside the capillary length, as a sentence with
+  /// numbers and remedy; empty up to W0 = 8 d0. Karma and Rappel (1998) follow their relations to
+  /// 7.2 d0 (D tau0/W0^2 = 4); beyond, tips are slower than sharp ones with nothing else to show
+  /// it.
+  std::string width_warning(double capillary_length, double width);
 
   /// The law of a scene's sections; `heat` may be null (growth by curvature alone, lambda = 0).
   /// Throws scene::BadScene where anisotropy >= 1/15 (the interface stiffness 1 - 15 eps is

@@ -98,3 +98,10 @@ TEST(Anisotropy, HasNoDirectionWhereNothingPoints)
   EXPECT_EQ(melt::inverse_relaxation(1e-8f, 1e-8f, 0.05f, 0.f), 1.f);
   EXPECT_NEAR(melt::inverse_relaxation(0.1f, 0.f, 0.05f, 0.f), 1.f / (1.05f * 1.05f), 1e-6f);
 }
+
+TEST(ThinInterface, SaysWhenItIsNotThin)
+{
+  EXPECT_EQ(melt::width_warning(0.185, 1.), ""); // the paper's
+  EXPECT_EQ(melt::width_warning(0.139, 1.), ""); // D tau0/W0^2 = 4
+  EXPECT_NE(melt::width_warning(0.0554, 1.).find("18.1 capillary lengths"), std::string::npos);
+}
