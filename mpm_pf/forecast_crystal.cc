@@ -5,6 +5,7 @@
 #include "accounts.h"
 #include "forecast_growth.h"
 #include "forecast_probes.h"
+#include "solid/points.h"
 
 namespace
 {
@@ -40,7 +41,8 @@ namespace
   {
     const scene::Scene &scene = *world.scene;
     const bool split = scene.mpm && scene.mpm->split_points;
-    const double bytes_per_point = split ? 146. : 130., bytes_per_grid_node = 137.;
+    const double bytes_per_point = static_cast<double>(solid::bytes_per_point(split));
+    const double bytes_per_grid_node = 137.;
     const double in_use = 1.2; // nodes over cells: the rim
     forecast.bytes["solid points"] = points * bytes_per_point;
     forecast.bytes["solid grid"] =

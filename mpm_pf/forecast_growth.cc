@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "scene/geometry.h"
+#include "scene/special_functions.h"
 
 namespace
 {
@@ -24,25 +25,6 @@ namespace
     }
   };
 
-  /// E1(x) = exp(-x)/x ... by its series below 1 and its continued fraction above.
-  double exponential_integral(const double x)
-  {
-    if (x > 1.)
-    {
-      double fraction = 0.;
-      for (int k = 60; k > 0; --k)
-        fraction = k / (1. + k / (x + fraction));
-      return std::exp(-x) / (x + fraction);
-    }
-    double sum = -0.57721566490153286 - std::log(x), term = -1.;
-    for (int k = 1; k < 30; ++k)
-    {
-      term *= -x / k;
-      sum += term / k;
-    }
-    return sum;
-  }
-
   /// Radius squared over time of F. C. Frank's disc (1950), R^2 = 4 D s t with
   /// s exp(s) E1(s) = undercooling: a crystal without anisotropy has no tips and grows like that.
   double spread_of_disc(const scene::Scene &scene)
@@ -51,7 +33,7 @@ namespace
     for (int k = 0; k < 100; ++k)
     {
       const double s = std::sqrt(low * high);
-      const double supplied = std::exp(s) * s * exponential_integral(s);
+      const double supplied = std::exp(s) * s * scene::exponential_integral(s);
       (supplied < std::min(0.95, scene.heat->undercooling) ? low : high) = s;
     }
     return 4. * scene.heat->diffusivity * low;

@@ -2,6 +2,7 @@
 
 import re
 import sys
+from pathlib import Path
 
 
 def write_between_marks(path, name, text):
@@ -11,3 +12,20 @@ def write_between_marks(path, name, text):
     if begin not in old or end not in old:
         sys.exit(f"{path} has no lines {begin} and {end}")
     path.write_text(re.sub(re.escape(begin) + ".*?" + re.escape(end), lambda _: f"{begin}\n{text}{end}", old, count=1, flags=re.S))
+
+
+def table_program(arguments, usage, name, table, missing):
+    """main() of a program that is given the folder of a campaign and perhaps a text file: prints table(folder), or writes it between the
+    file's marks called `name`. Without a table it says what is `missing`. Returns the exit code."""
+    if len(arguments) not in (1, 2):
+        print(usage)
+        return 2
+    text = table(Path(arguments[0]))
+    if not text:
+        print(missing, file=sys.stderr)
+        return 4
+    if len(arguments) == 2:
+        write_between_marks(Path(arguments[1]), name, text)
+    else:
+        print(text, end="")
+    return 0

@@ -9,9 +9,8 @@ measured with `accuracy = ...`: nothing is computed here that was not run.
 
 import json
 import sys
-from pathlib import Path
 
-from between_marks import write_between_marks
+from between_marks import table_program
 
 LEVELS = ["draft", "standard", "fine"]
 
@@ -53,18 +52,8 @@ def table(folder):
 
 
 def main(arguments):
-    if len(arguments) not in (1, 2):
-        print(__doc__)
-        return 2
-    text = table(Path(arguments[0]))
-    if not text:
-        print(f"presets: {arguments[0]}/tradeoff holds no row that was measured with `accuracy`; run `verify tradeoff CASE` first", file=sys.stderr)
-        return 4
-    if len(arguments) == 2:
-        write_between_marks(Path(arguments[1]), "presets", text)
-    else:
-        print(text, end="")
-    return 0
+    missing = f"presets: {arguments[0] if arguments else ''}/tradeoff holds no row that was measured with `accuracy`; run `verify tradeoff CASE` first"
+    return table_program(arguments, __doc__, "presets", table, missing)
 
 
 if __name__ == "__main__":

@@ -11,9 +11,8 @@ import json
 import re
 import sys
 from html import escape
-from pathlib import Path
 
-from between_marks import write_between_marks
+from between_marks import table_program
 
 MARKS = {"met": "✓", "missed": "✗", "not judged": "–"}
 # The whole of a run, and what is counted within another part.
@@ -129,20 +128,15 @@ def markdown(campaign):
         yield f'| {case} | {run["solver"]} | {", ".join(modules(run["forecast"]["on"]))} | {memory} | {resident} | {time} | {dearest(run)} |'
 
 
+def table(folder):
+    path = folder / "campaign.json"
+    lines = list(markdown(json.loads(path.read_text()))) if path.is_file() else []
+    return "\n".join(lines) + "\n" if len(lines) > 2 else ""
+
+
 def main(arguments):
-    if len(arguments) not in (1, 2):
-        print(__doc__)
-        return 2
-    path = Path(arguments[0]) / "campaign.json"
-    text = "\n".join(markdown(json.loads(path.read_text()))) + "\n" if path.is_file() else ""
-    if text.count("\n") < 3:
-        print(f"report_modules: {arguments[0]} holds no campaign with forecasts; run `verify run` first", file=sys.stderr)
-        return 4
-    if len(arguments) == 2:
-        write_between_marks(Path(arguments[1]), "modules", text)
-    else:
-        print(text, end="")
-    return 0
+    missing = f"report_modules: {arguments[0] if arguments else ''} holds no campaign with forecasts; run `verify run` first"
+    return table_program(arguments, __doc__, "modules", table, missing)
 
 
 if __name__ == "__main__":
