@@ -32,7 +32,7 @@ except ImportError as missing:
 
 
 def all_figures(cases):
-    """{"fig5": function, ...} of every case folder that draws, in the paper's order."""
+    """{"fig5": function, ...} of every case folder that draws: the paper's figures in its order, then the others."""
     found = {}
     for script in sorted(cases.glob("*/figure.py")):
         spec = importlib.util.spec_from_file_location(f"figure_{script.parent.name}", script)
@@ -42,8 +42,12 @@ def all_figures(cases):
             if name in found:
                 raise SystemExit(f"figures.py: {script} draws {name} a second time")
             found[name] = function
-    number = {name: int(re.match(r"fig(\d+)", name)[1]) for name in found}
-    return {name: found[name] for name in sorted(found, key=lambda n: (number[n], n))}
+
+    def place(name):
+        number = re.match(r"fig(\d+)", name)
+        return (int(number[1]) if number else len(found) + 100, name)
+
+    return {name: found[name] for name in sorted(found, key=place)}
 
 
 def write_curves(path, curves, sources):

@@ -62,6 +62,10 @@ namespace verify
     const double believed = std::min(order, order_at_most);
     result.uncertainty =
         safety * std::abs(e12) / (std::pow(r12, believed) - 1.) * std::pow(size_ratio, believed);
+    // An order far below one says that the grids are not yet in the asymptotic range; extrapolating
+    // with it multiplies their differences without bound.
+    if (order < 0.95)
+      result.uncertainty = std::min(result.uncertainty, safety * std::max(spread, std::abs(e12)));
     return result;
   }
 

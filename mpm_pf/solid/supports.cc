@@ -9,7 +9,8 @@ namespace solid
 {
   namespace
   {
-    constexpr double extra = 1.; // cells beyond the ends of a line in which material is held
+    // Cells beyond the ends of a line in which shape functions are folded.
+    constexpr std::array<double, 2> folded{1., 1.};
 
     void place_line(const std::vector<Support> &supports, const Tracers &tracers, HeldLine &line,
                     const int index, const double t)
@@ -49,6 +50,7 @@ namespace solid
             line.upper = std::max(line.upper, tracer.x[along]);
             sum += tracer.x[line.axis], ++count;
           }
+      line.lower -= line.overhang[0], line.upper += line.overhang[1];
       if (!known && count > 0)
         line.position = sum / count;
     }
@@ -113,7 +115,7 @@ namespace solid
       if (support && uniform)
         v = (support->motion.at(v, v, t + dt) - support->motion.at(v, v, t)) / dt;
       supports.speed = std::max(supports.speed, v.norm());
-      for_nodes_along(line, grid, fold.carrier(), extra + 1.,
+      for_nodes_along(line, grid, fold.carrier(), line.reach,
                       [&](const int i, const int j, const std::ptrdiff_t n)
                       {
                         if (!uniform)
@@ -153,7 +155,7 @@ namespace solid
       const Fold fold = fold_at(line.position, line.side, grid.lower[line.axis], grid.dx);
       supports.folds.lines.push_back(fold);
       for (const int row : {fold.carrier(), fold.master})
-        for_nodes_along(line, grid, row, extra,
+        for_nodes_along(line, grid, row, folded,
                         [&](int, int, const std::ptrdiff_t n)
                         { mark(supports, grid, n, line.axis, static_cast<int>(l)); });
     }

@@ -66,6 +66,8 @@ namespace solid
     double initial = 0., from = 0., to = 0.; // position and extent at the start
     std::array<bool, 2> held{true, true};
     bool follows_tracers = false;                 // an edge: its extent is that of its tracers
+    std::array<double, 2> overhang{0., 0.};       // and so far beyond the first and the last
+    std::array<double, 2> reach{3., 3.};          // cells beyond its ends in which nodes are held
     bool contact = false;                         // a wall: holds only what touches it, see walls.h
     double position = 0., lower = 0., upper = 0.; // position and extent now
   };
@@ -98,11 +100,11 @@ namespace solid
     double work = 0., work_done = 0.;   // by supports since the start; sum of absolute values
   };
 
-  /// Call f(i, j, n) for the nodes of `row` along the line, from `reach` cells before it to `reach`
-  /// cells beyond.
+  /// Call f(i, j, n) for the nodes of `row` along the line, from reach[0] cells before it to
+  /// reach[1] cells beyond.
   template <typename F>
-  void for_nodes_along(const HeldLine &line, const Grid &grid, const int row, const double reach,
-                       F &&f)
+  void for_nodes_along(const HeldLine &line, const Grid &grid, const int row,
+                       const std::array<double, 2> &reach, F &&f)
   {
     const int along = 1 - line.axis;
     const auto column = [&](const double x) { return (x - grid.lower[along]) * grid.inverse_dx; };
@@ -110,9 +112,9 @@ namespace solid
     const auto [begin, end] =
         line.axis == 1 ? grid.columns(row) : std::pair{grid.row_begin, grid.row_end};
     const int first =
-        static_cast<int>(std::ceil(std::max<double>(begin, column(line.lower) - reach - 1e-9)));
-    const int last =
-        static_cast<int>(std::floor(std::min<double>(end - 1, column(line.upper) + reach + 1e-9)));
+        static_cast<int>(std::ceil(std::max<double>(begin, column(line.lower) - reach[0] - 1e-9)));
+    const int last = static_cast<int>(
+        std::floor(std::min<double>(end - 1, column(line.upper) + reach[1] + 1e-9)));
     for (int k = first; k <= last; ++k)
     {
       const int i = line.axis == 1 ? k : row, j = line.axis == 1 ? row : k;

@@ -95,6 +95,31 @@ namespace solid
       }
     }
 
+    // Where the outline goes on straight beyond an end, the line ends where it was asked to, not at
+    // the last tracer before that, and holds no more than half a cell beyond.
+    void end_line(const Builder &build, const scene::Support &asked, HeldLine &line)
+    {
+      const int along = 1 - line.axis;
+      for (const int end : {0, 1})
+      {
+        const int outwards = end == 0 ? -1 : 1;
+        double &place = end == 0 ? line.from : line.to;
+        Point beyond;
+        beyond[line.axis] = line.initial + line.side * 0.01 * build.dx;
+        beyond[along] = place + outwards * 0.6 * build.dx;
+        if (!build.material(beyond))
+          continue;
+        line.reach[end] = 0.5;
+        if (const auto *segment = std::get_if<scene::Segment>(&asked.where))
+        {
+          const double a = segment->a[along], b = segment->b[along];
+          line.overhang[end] =
+              std::max(0., outwards * ((end == 0) == (a < b) ? a - place : b - place));
+          place += outwards * line.overhang[end];
+        }
+      }
+    }
+
     void hold_edge(Builder &build, const scene::Support &asked, const int index)
     {
       Support &support = build.supports.all[index];
@@ -127,6 +152,9 @@ namespace solid
         support.corners.push_back(tracer->X);
       }
       support.middle = 0.5 * (found.front().second->X + found.back().second->X);
+      for (HeldLine &held : build.supports.lines)
+        if (held.support == index)
+          end_line(build, asked, held);
       refuse_bending(build, asked, support, line);
     }
 

@@ -177,7 +177,7 @@ namespace solid
       const auto at = [&](const int row) { return grid.lower[line.axis] + row * grid.dx; };
       const double share =
           1. - (at(fold.carrier()) - fold.position) / (at(fold.master) - fold.position);
-      for_nodes_along(line, grid, fold.carrier(), 1.,
+      for_nodes_along(line, grid, fold.carrier(), {1., 1.},
                       [&](const int i, const int j, std::ptrdiff_t)
                       {
                         const int a = i + (line.axis == 0 ? line.side : 0);

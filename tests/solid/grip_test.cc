@@ -31,3 +31,18 @@ TEST(Grip, WithMaterialAroundItsCornersHoldsAndCarriesTheWeight)
     EXPECT_GT(value("energy_balance"), -1e-3 * value("external_work"));
   }
 }
+
+// A footing in the middle of an edge: only nodes within half a cell of its ends move with it. At a
+// corner of the body the nodes beyond it are held too.
+TEST(Support, ThatEndsInsideAnEdgeHoldsHalfACellMore)
+{
+  scene::Scene scene = small::rectangle({0.2, 0.2}, {2., 1.}, {2.4, 1.4}, {24, 14});
+  small::hold(scene, "footing", scene::Segment{{0.87, 1.2}, {1.43, 1.2}}, "0", "-0.01*t");
+  const solid::Owner inside = solid::make_solid(scene);
+  solid::NodalVelocity velocity;
+  solid::advance(*inside, 1e-4, &velocity);
+  const auto moves = [&](const int i)
+  { return std::abs(velocity.y[12 * 25 + static_cast<std::size_t>(i)] + 0.01) < 1e-12; };
+  for (int i = 2; i <= 22; ++i)
+    EXPECT_EQ(moves(i), i >= 9 && i <= 14) << i; // 0.9 to 1.4: within 0.82 to 1.48
+}

@@ -85,6 +85,14 @@ TEST(GridConvergence, DoesNotBelieveAnOrderAboveTheFormalOne)
   EXPECT_NEAR(result.uncertainty, 1.25 * 15. / 3., 1e-9);
 }
 
+// 1, 2, 3.1: order 0.14, which would extrapolate to -9; the three differ by 2.1.
+TEST(GridUncertainty, OfAnOrderFarBelowOneIsBoundByTheSpread)
+{
+  const auto result = grid_uncertainty({1., 2., 4.}, {1., 2., 3.1}, 0, 2.);
+  EXPECT_NEAR(result.order, std::log2(1.1), 1e-9);
+  EXPECT_NEAR(result.uncertainty, 1.25 * 2.1, 1e-9);
+}
+
 TEST(ObservedOrder, IsTheSlopeAndRefusesZeroErrors)
 {
   EXPECT_NEAR(observed_order({0.1, 0.2, 0.4}, {2e-3, 8e-3, 3.2e-2}), 2., 1e-12);
