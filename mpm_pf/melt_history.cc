@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "medium/contour.h"
+#include "medium/sums.h"
 #include "melt/ledger.h"
 #include "scene/units.h"
 
@@ -12,36 +13,6 @@ namespace
 {
   using medium::Field;
   using medium::Mesh;
-
-  struct Spread
-  {
-    double mean = 0., variance = 0., min = std::numeric_limits<double>::infinity(), max = -min;
-  };
-
-  /// Over the nodes between the walls by the area that they own; a periodic node stored twice
-  /// counts twice half. What stands behind a wall is its mirror image, not melt.
-  Spread spread_of(const Field<double> &field, const World &world)
-  {
-    const Mesh &mesh = *world.mesh;
-    const medium::Cuts cuts = world.walls ? world.walls->cuts : medium::Cuts{};
-    Spread spread;
-    double weight_sum = 0.;
-    for (int j = cuts.first(1); j < cuts.end(1, mesh.nodes[1]); ++j)
-      for (int i = cuts.first(0); i < cuts.end(0, mesh.nodes[0]); ++i)
-      {
-        const double value = field(i, j), weight = cuts.weight(i, j, mesh);
-        weight_sum += weight;
-        spread.mean += weight * value;
-        spread.min = std::min(spread.min, value);
-        spread.max = std::max(spread.max, value);
-      }
-    spread.mean /= weight_sum;
-    for (int j = cuts.first(1); j < cuts.end(1, mesh.nodes[1]); ++j)
-      for (int i = cuts.first(0); i < cuts.end(0, mesh.nodes[0]); ++i)
-        spread.variance += cuts.weight(i, j, mesh) * std::pow(field(i, j) - spread.mean, 2);
-    spread.variance /= weight_sum;
-    return spread;
-  }
 
   double diagonal_defect(const Field<double> &field, const Mesh &mesh)
   {
@@ -97,15 +68,19 @@ namespace
                        : medium::extent(*world.mesh);
   }
 
+  medium::Cuts cuts_of(const World &world)
+  {
+    return world.walls ? world.walls->cuts : medium::Cuts{};
+  }
+
   /// Integral of theta - phi/2 over the domain, or what the walls have left of it.
   double heat_content(const World &world)
   {
-    const auto *cuts = world.walls ? &world.walls->cuts : nullptr;
+    const medium::Cuts cuts = cuts_of(world);
     if (world.phase)
       return melt::heat_ledger(world.phase->value, world.heat->value, *world.mesh, cuts).total();
     const auto &theta = world.heat->value;
-    return world.mesh->spacing.prod() * (cuts ? medium::weighted_sum(theta, *world.mesh, *cuts)
-                                              : medium::weighted_sum(theta, *world.mesh));
+    return world.mesh->spacing.prod() * medium::weighted_sum(theta, *world.mesh, cuts);
   }
 } // namespace
 
@@ -131,12 +106,13 @@ HistoryColumns melt_history(const World &world)
   if (!world.mesh)
     return row;
   const Mesh &mesh = *world.mesh;
+  const medium::Cuts cuts = cuts_of(world);
   const std::string length = scene::unit_text(scene::Dimension::length, world.scene->units);
   if (world.phase)
   {
     const auto &phi = world.phase->value;
     const auto contour = phase_contour(world);
-    const Spread spread = spread_of(phi, world);
+    const medium::Spread spread = medium::spread_of(phi, mesh, cuts);
     row.add("solid_area", length + "^2", medium::enclosed_area(contour));
     row.add("interface_length", length, medium::interface_length(contour, inner_box(world)));
     row.add("interface_width", length, mean_interface_width(phi, mesh, inner_box(world), contour));
@@ -147,7 +123,7 @@ HistoryColumns melt_history(const World &world)
   }
   if (world.heat)
   {
-    const Spread spread = spread_of(world.heat->value, world);
+    const medium::Spread spread = medium::spread_of(world.heat->value, mesh, cuts);
     row.add("theta_mean", "L/cp", spread.mean);
     row.add("theta_variance", "(L/cp)^2", spread.variance);
     row.add("theta_min", "L/cp", spread.min);

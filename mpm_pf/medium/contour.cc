@@ -28,9 +28,15 @@ namespace medium
           place_lines(mesh, active, axis);
       }
       int lines(int axis) const { return static_cast<int>(place[axis].size()); }
-      bool solid(int i, int j) const
+      /// 1 for the solid nodes of a line along x.
+      void mark_solid(int j, std::vector<std::uint8_t> &marks) const
       {
-        return !outside(0, i) && !outside(1, j) && field(node[0][i], node[1][j]) > 0;
+        std::fill(marks.begin(), marks.end(), std::uint8_t{0});
+        if (outside(1, j))
+          return;
+        const T *const row = field.row(node[1][j]);
+        for (std::size_t i = 1; i + 1 < node[0].size(); ++i)
+          marks[i] = row[node[0][i]] > 0 ? 1 : 0;
       }
       double value(int i, int j) const
       {
@@ -131,18 +137,26 @@ namespace medium
     public:
       explicit Walk(const Lattice<T> &lattice) : lattice(lattice)
       {
+        const int columns = lattice.lines(0);
+        std::vector<std::uint8_t> low(static_cast<std::size_t>(columns)), high(low);
+        lattice.mark_solid(0, low);
         for (int j = 0; j + 1 < lattice.lines(1); ++j)
         {
-          unsigned left = column(0, j);
-          for (int i = 0; i + 1 < lattice.lines(0); ++i)
+          lattice.mark_solid(j + 1, high);
+          for (int i = 0; i + 1 < columns;)
           {
-            const unsigned right = column(i + 1, j);
-            const unsigned corners =
-                (left & 1u) | (right & 1u) << 1u | (right & 2u) << 1u | (left & 2u) << 2u;
+            if (const int end = uniform_until(low, high, i); end > i)
+            {
+              i = end;
+              continue;
+            }
+            const auto n = static_cast<std::size_t>(i);
+            const unsigned corners = low[n] | low[n + 1] * 2u | high[n + 1] * 4u | high[n] * 8u;
             if (corners != 0 && corners != 15)
               add_cell(i, j, corners);
-            left = right;
+            ++i;
           }
+          low.swap(high);
         }
       }
       std::vector<Polyline> polylines()
@@ -167,9 +181,22 @@ namespace medium
       }
 
     private:
-      unsigned column(int i, int j) const
+      /// Most of the domain is one or the other: cells from i on that are all solid or all liquid,
+      /// sixteen at a time. Returns i where there are none.
+      static int uniform_until(const std::vector<std::uint8_t> &low,
+                               const std::vector<std::uint8_t> &high, int i)
       {
-        return (lattice.solid(i, j) ? 1u : 0u) | (lattice.solid(i, j + 1) ? 2u : 0u);
+        constexpr int length = 16;
+        const int last = static_cast<int>(low.size()) - 1; // nodes, one more than cells
+        for (; i + length <= last; i += length)
+        {
+          unsigned sum = 0;
+          for (int k = 0; k <= length; ++k)
+            sum += low[static_cast<std::size_t>(i + k)] + high[static_cast<std::size_t>(i + k)];
+          if (sum != 0 && sum != 2 * (length + 1))
+            break;
+        }
+        return i;
       }
       long key(int i, int j, int side) const
       {

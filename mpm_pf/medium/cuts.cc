@@ -86,23 +86,6 @@ namespace medium
     return box;
   }
 
-  double weighted_sum(const Field<double> &field, const Mesh &mesh, const Cuts &cuts)
-  {
-    double sum = 0., lost = 0.; // Neumaier's compensated sum
-    for (int j = cuts.first(1); j < cuts.end(1, mesh.nodes[1]); ++j)
-    {
-      const double height = cuts.size(1, j, mesh.nodes[1]);
-      for (int i = cuts.first(0); i < cuts.end(0, mesh.nodes[0]); ++i)
-      {
-        const double term = height * cuts.size(0, i, mesh.nodes[0]) * field(i, j),
-                     next = sum + term;
-        lost += std::abs(sum) >= std::abs(term) ? (sum - next) + term : (term - next) + sum;
-        sum = next;
-      }
-    }
-    return sum + lost;
-  }
-
   template <class T>
   void fill_behind(Field<T> &field, const Cuts &cuts, const Mesh &mesh, Parity parity)
   {

@@ -57,9 +57,6 @@ namespace medium
   /// The rectangle between the walls, length.
   Box active_box(const Cuts &, const Mesh &);
 
-  /// Integral over the active rectangle divided by the cell area; compensated, in a fixed order.
-  double weighted_sum(const Field<double> &, const Mesh &, const Cuts &);
-
   /// Fills the three lines behind every cut with the continuation through the wall's true place,
   /// those further back with a constant one, and then the ghost layers. `parity` as for
   /// fill_ghosts: even for scalars; odd for the derivative along that axis, which vanishes at the

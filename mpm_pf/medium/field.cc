@@ -83,17 +83,4 @@ namespace medium
 
   template void fill_ghosts(Field<double> &, const Mesh &, Parity);
   template void fill_ghosts(Field<float> &, const Mesh &, Parity);
-
-  double weighted_sum(const Field<double> &field, const Mesh &mesh)
-  {
-    double sum = 0., lost = 0.; // Neumaier's compensated sum
-    for (int j = 0; j < mesh.nodes[1]; ++j)
-      for (int i = 0; i < mesh.nodes[0]; ++i)
-      {
-        const double term = mesh.weight(i, j) * field(i, j), next = sum + term;
-        lost += std::abs(sum) >= std::abs(term) ? (sum - next) + term : (term - next) + sum;
-        sum = next;
-      }
-    return sum + lost;
-  }
 } // namespace medium

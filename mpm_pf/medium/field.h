@@ -121,6 +121,4 @@ namespace medium
   void fill_ghosts(Field<T> &field, const Mesh &mesh, Parity parity = Parity::even);
 
   /// Sum over all nodes of weight(i, j) times the field: the integral divided by the cell area.
-  /// Compensated summation in a fixed order, so that it can witness conservation to 1e-15.
-  double weighted_sum(const Field<double> &, const Mesh &);
 } // namespace medium

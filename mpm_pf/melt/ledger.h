@@ -19,5 +19,5 @@ namespace melt
 
   /// The ledger of the fields as they are; `cuts`: only what the moving walls have left of them.
   HeatLedger heat_ledger(const medium::Field<double> &phi, const medium::Field<double> &theta,
-                         const medium::Mesh &, const medium::Cuts *cuts = nullptr);
+                         const medium::Mesh &, const medium::Cuts &cuts = {});
 } // namespace melt

@@ -4,6 +4,7 @@
 
 #include "medium/trouble.h"
 #include "melt/noise.h"
+#include "melt/turns.h"
 
 namespace melt
 {
@@ -77,26 +78,30 @@ namespace melt
     const Pair pair{{fields.phi, &spare_phi}, {fields.theta, &spare_theta}};
     bool finite = true;
     long done = 0;
+    Turns turns(map.rows, mesh.side(Edge::bottom) == Boundary::periodic);
 #pragma omp parallel
-    for (long step = 0; step < steps; ++step) // all threads leave together, at the break
+    for (long step = 0; step < steps; step += judged_every) // all threads leave at the break
     {
       const int old = static_cast<int>(step & 1);
-      if (step % judged_every == 0)
-      {
 #pragma omp for schedule(dynamic, 1) reduction(&& : finite)
-        for (int band = 0; band < map.rows; ++band)
-          finite = look_at_band(fields, pair, old, band) && finite;
-#pragma omp single
-        {
-          judge(pair, old);
-          done = step;
-        }
-        if (!finite)
-          break;
-      }
-#pragma omp for schedule(dynamic, 1)
       for (int band = 0; band < map.rows; ++band)
-        step_band(fields, pair, old, k, band, first_step + step);
+        finite = look_at_band(fields, pair, old, band) && finite;
+#pragma omp single
+      {
+        judge(pair, old);
+        done = step;
+        turns.start();
+      }
+      if (!finite)
+        break;
+      const long count = std::min<long>(judged_every, steps - step);
+      turns.take(count,
+                 [&](const int band, const long ahead)
+                 {
+                   step_band(fields, pair, static_cast<int>((step + ahead) & 1), k, band,
+                             first_step + step + ahead);
+                 });
+#pragma omp barrier
     }
     if (steps % 2 != 0 && fields.phi)
       fields.phi->swap(spare_phi);

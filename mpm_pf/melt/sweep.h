@@ -3,7 +3,8 @@
 //
 // Each field has a second copy; a step reads one and writes the other. Rows are cut into bands of
 // one tile's height, the unit of work of a thread: every node is computed by the same expression
-// from the same old values, so that the result has the same bits for any number of threads. Tiles
+// from the same old values, so that the result has the same bits for any number of threads. Bands
+// go on to the next step as soon as their neighbours let them (melt/turns.h). Tiles
 // (medium/tiles.h) are judged afresh every 16 steps. phi counts as resting in a well within
 // `flatness`; theta counts as resting only where it is one constant to the last bit, so that
 // skipping changes nothing and loses no heat. Tiles on and off differ by no more than the flatness.

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "medium/sums.h"
 #include "medium/trouble.h"
 
 namespace

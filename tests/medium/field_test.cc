@@ -1,8 +1,10 @@
 #include "medium/field.h"
+#include "medium/sums.h"
 
 #include <cstdint>
 
 #include <gtest/gtest.h>
+#include <omp.h>
 
 namespace
 {
@@ -79,7 +81,7 @@ TEST(Field, ContinuesLinearlyBeyondAFixedSide)
   EXPECT_DOUBLE_EQ(field(3, -3), -297.);
 }
 
-TEST(WeightedSum, IsTheTrapezoidalIntegralInCells)
+TEST(Sums, AreTheTrapezoidalIntegralInCells)
 {
   const Mesh mesh = mesh_of(6, 5);
   Field<double> one(mesh, 1.);
@@ -97,4 +99,39 @@ TEST(MakeMesh, RefusesHalfPeriodicAndTinyDomains)
   EXPECT_EQ(medium::make_mesh(domain).nodes[0], 9);
   domain.cells = {2, 8};
   EXPECT_THROW(medium::make_mesh(domain), std::invalid_argument);
+}
+
+// f = x on [0, 1]: mean 1/2; trapezoidal variance 1/12 + 1/(6 n^2) for n cells.
+TEST(Sums, SpreadOfALinearFieldIsKnownAndHasTheSameBitsOnThreeThreads)
+{
+  scene::Domain domain;
+  domain.size = {1., 0.5}, domain.cells = {37, 19};
+  const Mesh mesh = medium::make_mesh(domain);
+  Field<double> f(mesh);
+  for (int j = 0; j < mesh.nodes[1]; ++j)
+    for (int i = 0; i < mesh.nodes[0]; ++i)
+      f(i, j) = i / 37.;
+  const int before = omp_get_max_threads();
+  omp_set_num_threads(1);
+  const medium::Spread spread = medium::spread_of(f, mesh);
+  omp_set_num_threads(3);
+  const medium::Spread again = medium::spread_of(f, mesh);
+  omp_set_num_threads(before);
+  EXPECT_NEAR(spread.mean, 0.5, 1e-15);
+  EXPECT_NEAR(spread.variance, 1. / 12. + 1. / (6. * 37. * 37.), 1e-15);
+  EXPECT_EQ(spread.min, 0.);
+  EXPECT_EQ(spread.max, 1.);
+  EXPECT_EQ(spread.mean, again.mean);
+  EXPECT_EQ(spread.variance, again.variance);
+}
+
+// 1 + 1e16 - 1e16: a plain sum loses the one.
+TEST(Sums, AreCompensated)
+{
+  scene::Domain domain;
+  domain.size = {8., 8.}, domain.cells = {8, 8};
+  const Mesh mesh = medium::make_mesh(domain);
+  Field<double> f(mesh);
+  f(2, 2) = 1e16, f(3, 3) = 1., f(2, 4) = -1e16;
+  EXPECT_EQ(medium::weighted_sum(f, mesh), 1.);
 }

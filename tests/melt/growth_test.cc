@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "medium/sums.h"
 #include "medium/trouble.h"
 #include "melt/ledger.h"
 #include "seed.h"

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <omp.h>
 
+#include "medium/sums.h"
 #include "melt/growth.h"
 #include "seed.h"
 

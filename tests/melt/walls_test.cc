@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "medium/sums.h"
 #include "melt/ledger.h"
 #include "melt/noise.h"
 #include "seed.h"
