@@ -42,11 +42,21 @@ double growth_step_taken(const World &world)
 
 double seconds_per_growth_step(World &world)
 {
-  // From one coupling to the next; a coupling step may be shorter than a growth step.
+  // From one coupling to the next; a coupling step may be shorter than a growth step. What is spent
+  // once a call (copies, conversions of precision) counts by the steps of a whole call.
+  constexpr double few = 16.;
   const double steps =
-      std::clamp(std::ceil(coupling_step(world) / growth_step(world) * (1. - 1e-9)), 1., 16.);
-  const double length = steps * growth_step_taken(world);
-  return seconds_of([&] { grow(world, length); }, probe_budget_s, probe_calls) / steps;
+      std::max(1., std::ceil(coupling_step(world) / growth_step(world) * (1. - 1e-9)));
+  const auto seconds_of_call = [&](const double count)
+  {
+    const double length = count * growth_step_taken(world);
+    return seconds_of([&] { grow(world, length); }, probe_budget_s, probe_calls);
+  };
+  const double short_call = seconds_of_call(std::min(steps, few));
+  if (steps < 4. * few)
+    return short_call / std::min(steps, few);
+  const double each = std::max(0., seconds_of_call(2. * few) - short_call) / few;
+  return each + std::max(0., short_call - few * each) / steps;
 }
 
 void foretell_advection(World &world, const double end, Forecast &forecast)
