@@ -28,7 +28,14 @@ class Instructions(unittest.TestCase):
         end = ["clock.end=0.8", "probe.melt.every=0.8", "probe.contour.every=0.8", 'probe."tip east".every=0.8', 'probe."tip north".every=0.8']
         seeds = [with_domain(f"seed {n}", "free_growth/smoke.toml", end, (64.0 * n, 64.0 * n), (160 * n, 160 * n), inside="grow(*") for n in (1, 2, 4)]
         large = with_domain("large seed", "free_growth/smoke.toml", [*end, "body.seed.radius=32.0"], (256.0, 256.0), (640, 640), inside="grow(*")
-        cls.others = [*bars, *seeds, large]
+        # a wall that waits 20 W0 before the tip, over domains 1 and 4 times as wide and as high
+        waiting = ["clock.end=12.0", "wall.1.start_distance=20.0", *(f"probe.{name}.compressions=[0.0]" for name in ("fields", "contour", "arm"))]
+        walls = [
+            with_domain(f"{inside} {x} {y}", "compress_dendrite/smoke.toml", waiting, (60.0 * x, 40.0 * y), (75 * x, 50 * y), inside=inside)
+            for inside in ("move_walls(*", "medium::settle(*")
+            for x, y in ((1, 1), (4, 1), (1, 4), (4, 4))
+        ]
+        cls.others = [*bars, *seeds, large, *walls]
         cls.numbers = instructions.count_all([run for run in cls.stored if "instructions" in run] + cls.others)
 
     def test_no_run_got_dearer(self):
@@ -55,6 +62,13 @@ class Instructions(unittest.TestCase):
         self.assertLess(self.numbers["seed 2"] / first, 1.5, self.numbers)
         self.assertLess(self.numbers["seed 4"] / first, 2.5, self.numbers)
         self.assertGreater(self.numbers["large seed"] / self.numbers["seed 4"], 1.5, "four times the interface")
+
+    def test_walls_cost_follows_their_length(self):
+        first = self.numbers["move_walls(* 1 1"]
+        self.assertLess(abs(self.numbers["move_walls(* 1 4"] / first - 1), 0.02, self.numbers)
+        self.assertLess(abs(self.numbers["move_walls(* 4 1"] / first / 4 - 1), 0.10, self.numbers)
+        # fields end at all four sides: sixteen times the domain has four times the sides
+        self.assertLess(self.numbers["medium::settle(* 4 4"] / self.numbers["medium::settle(* 1 1"], 4.2, self.numbers)
 
 
 if __name__ == "__main__":
