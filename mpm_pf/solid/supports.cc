@@ -194,6 +194,8 @@ namespace solid
         {
           const Point X = fraction.initial(points, p);
           points.x[p] = X[0] + u[0], points.y[p] = X[1] + u[1];
+          const double before = points.vx[p] * points.vx[p] + points.vy[p] * points.vy[p];
+          supports.work += 0.5 * points.mass[p] * (v.squaredNorm() - before);
           points.vx[p] = v[0], points.vy[p] = v[1];
         }
       for (auto &outline : tracers.outlines)

@@ -1,6 +1,8 @@
 // Scenes small enough for tests, written in C++: E = 1000, nu = 0.3, density 1, unless changed.
 #pragma once
 
+#include <algorithm>
+
 #include "solid/solid.h"
 
 namespace small
@@ -37,6 +39,13 @@ namespace small
     if (y)
       support.displacement[1] = text(*y);
     scene.supports.push_back(support);
+  }
+
+  /// One number of the history by its name.
+  inline double value_of(const solid::History &history, const std::string &name)
+  {
+    const auto found = std::find(history.names.begin(), history.names.end(), name);
+    return history.row.at(static_cast<std::size_t>(found - history.names.begin()));
   }
 
   /// The sheared bar of the paper's Fig. 8, `cells` to its width.
