@@ -55,6 +55,24 @@ namespace fe
       return bodies;
     }
 
+    // Ends of segments and corners of boxes that something holds or loads.
+    std::vector<Point> loaded_ends(const scene::Scene &scene)
+    {
+      std::vector<Point> ends;
+      const auto add = [&ends](const scene::Where &where)
+      {
+        if (const auto *segment = std::get_if<scene::Segment>(&where))
+          ends.insert(ends.end(), {segment->a, segment->b});
+        else if (const auto *box = std::get_if<scene::Box>(&where))
+          ends.insert(ends.end(), {box->lower, box->upper});
+      };
+      for (const scene::Support &support : scene.supports)
+        add(support.where);
+      for (const scene::Traction &traction : scene.tractions)
+        add(traction.where);
+      return ends;
+    }
+
     // Pieces that touch in an edge are one; a piece without support has no equilibrium.
     std::vector<int> pieces_of(const QuadMesh &mesh)
     {
@@ -131,10 +149,12 @@ namespace fe
     const scene::Box box = cut_box(scene);
     const Point size = box.upper - box.lower;
     const double grading = scene.fe ? scene.fe->grading : 0.;
+    const std::vector<Point> ends = loaded_ends(scene);
     QuadMesh mesh =
         only_rectangles(scene.bodies)
-            ? mesh_rectangles(cut(scene.bodies, scene.domain), cells, grading, scene.supports)
-            : mesh_outline(scene.bodies, scene.domain, {size[0] / cells[0], size[1] / cells[1]});
+            ? mesh_rectangles(cut(scene.bodies, scene.domain), cells, grading, scene.supports, ends)
+            : mesh_outline(scene.bodies, scene.domain, {size[0] / cells[0], size[1] / cells[1]},
+                           ends);
     check_pieces(scene, mesh);
     return mesh;
   }

@@ -1,7 +1,9 @@
 // The initial mesh: quadrilaterals that fill the bodies.
 //
 // Unions of rectangles get a structured mesh whose grid lines pass through every edge of every
-// rectangle; cells outside the union are left out. On request the lines crowd towards the corners
+// rectangle; cells outside the union are left out. Supports and loads on a part of an edge or in a
+// box end between elements, not inside one: there is a grid line, or a vertex of the outline, too.
+// On request the lines crowd towards the corners
 // where a support ends (a clamped corner is singular, stress ~ r^(lambda-1)): between two such
 // corners positions follow the power grading s^(1/(1-grading)), which restores the order that a
 // uniform mesh loses there (I. Babuska, R. B. Kellogg, J. Pitkaranta, Numer. Math. 33 (1979) 447).
@@ -35,9 +37,11 @@ namespace fe
   /// touches neither a support nor a symmetry side (it could move freely).
   QuadMesh make_mesh(const scene::Scene &);
 
-  /// The two ways, by shape. `spacing`: wanted size of a cell.
+  /// The two ways, by shape. `spacing`: wanted size of a cell; `ends`: where supports and loads
+  /// end.
   QuadMesh mesh_rectangles(const std::vector<scene::Body> &, const std::array<int, 2> &cells,
-                           double grading, const std::vector<scene::Support> &);
+                           double grading, const std::vector<scene::Support> &,
+                           const std::vector<Point> &ends = {});
   QuadMesh mesh_outline(const std::vector<scene::Body> &, const scene::Domain &,
-                        const Point &spacing);
+                        const Point &spacing, const std::vector<Point> &ends = {});
 } // namespace fe

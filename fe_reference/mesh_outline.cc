@@ -36,6 +36,21 @@ namespace fe
       return gmsh::model::geo::addCurveLoop(lines);
     }
 
+    // A vertex at p where p lies on a side of the outline, unless one is there already.
+    void insert(scene::Polyline &outline, const Point &p, const double tolerance)
+    {
+      for (std::size_t k = 0; k < outline.size(); ++k)
+      {
+        const Point &a = outline[k], along = outline[(k + 1) % outline.size()] - a;
+        const double length = along.norm(), s = (p - a).dot(along) / length;
+        const double aside = std::abs(along[0] * (p - a)[1] - along[1] * (p - a)[0]) / length;
+        if (aside > 1e-3 * tolerance || s < tolerance || s > length - tolerance)
+          continue;
+        outline.insert(outline.begin() + static_cast<std::ptrdiff_t>(k) + 1, p);
+        return;
+      }
+    }
+
     bool inside(const scene::Polyline &outline, const Point &p)
     {
       bool in = false;
@@ -117,13 +132,17 @@ namespace fe
   } // namespace
 
   QuadMesh mesh_outline(const std::vector<scene::Body> &bodies, const scene::Domain &domain,
-                        const Point &spacing)
+                        const Point &spacing, const std::vector<Point> &ends)
   {
     const double size = std::min(spacing[0], spacing[1]);
     // Subdivision halves every element: the triangles before it are twice the wanted size.
     std::vector<scene::Polyline> outlines = scene::outline(bodies, domain, 0.5 * size);
     for (scene::Polyline &outline : outlines)
+    {
       outline = simplify_outline(outline, 0.02 * size, 0.5 * size);
+      for (const Point &end : ends)
+        insert(outline, end, 1e-3 * size);
+    }
     const Session session;
     gmsh::model::add("outline");
     add_surfaces(outlines, 2. * size);

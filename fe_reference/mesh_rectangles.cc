@@ -25,7 +25,8 @@ namespace fe
                          [&](const double value) { return std::abs(value - x) < tolerance; });
     }
 
-    // Corners of rectangles at which a held edge or segment ends: x and y coordinates.
+    // Corners of rectangles at which a held edge or segment ends, and ends of held segments between
+    // corners: x and y coordinates.
     std::array<std::vector<double>, 2> held_corners(const std::vector<scene::Body> &bodies,
                                                     const std::vector<scene::Support> &supports,
                                                     const double tolerance)
@@ -46,6 +47,11 @@ namespace fe
                 coordinates[d].push_back(p[d]);
         }
       }
+      for (const scene::Support &support : supports)
+        if (const auto *segment = std::get_if<scene::Segment>(&support.where))
+          for (const Point &p : {segment->a, segment->b})
+            for (int d = 0; d < 2; ++d)
+              coordinates[d].push_back(p[d]);
       return coordinates;
     }
 
@@ -111,7 +117,8 @@ namespace fe
   } // namespace
 
   QuadMesh mesh_rectangles(const std::vector<scene::Body> &bodies, const std::array<int, 2> &cells,
-                           const double grading, const std::vector<scene::Support> &supports)
+                           const double grading, const std::vector<scene::Support> &supports,
+                           const std::vector<Point> &ends)
   {
     const scene::Box box = scene::bounding_box(bodies);
     const double tolerance = 1e-9 * (box.upper - box.lower).norm();
@@ -127,6 +134,11 @@ namespace fe
         edges.push_back(rectangle.corner[d] + rectangle.size[d]);
       }
       const double spacing = (box.upper[d] - box.lower[d]) / cells[d];
+      // An end closer to another line than a thousandth of a cell would only make a sliver.
+      for (const Point &end : ends)
+        if (end[d] > box.lower[d] && end[d] < box.upper[d] &&
+            !near_any(edges, end[d], 1e-3 * spacing))
+          edges.push_back(end[d]);
       lines[d] = grid_lines(distinct(edges, tolerance), spacing, corners[d], grading, tolerance);
     }
     return keep_inside(bodies, lines);

@@ -130,3 +130,35 @@ TEST(Mesh, RefusesMaterialWithoutSupport)
   scene.supports = {fe_test::support("left", scene::Edge::left, "0", "0")};
   EXPECT_THROW(fe::make_mesh(scene), scene::BadScene);
 }
+
+namespace
+{
+  bool has_vertex(const fe::QuadMesh &mesh, const fe::Point &p)
+  {
+    return std::any_of(mesh.vertices.begin(), mesh.vertices.end(),
+                       [&](const fe::Point &v) { return (v - p).norm() < 1e-9; });
+  }
+} // namespace
+
+// A load of length 0.334 must not become one of three whole sides.
+TEST(Mesh, HasVerticesWhereALoadOrASupportEnds)
+{
+  scene::Scene scene;
+  scene.domain.size = {4., 4.}, scene.domain.cells = {40, 40};
+  scene.supports = {fe_test::support("bottom", scene::Edge::bottom, "0", "0")};
+  scene::Traction load;
+  load.where = scene::Segment{{0.437, 1.}, {0.771, 1.}};
+  scene.tractions = {load};
+  scene.bodies = {fe_test::rectangle(0., 0., 2., 1.)};
+  const fe::QuadMesh structured = fe::make_mesh(scene);
+  scene::Body polygon;
+  polygon.shape = scene::Polygon{{{{0., 0.}, {2.3, 0.}, {2., 1.}, {0., 1.}}}};
+  scene.bodies = {polygon};
+  const fe::QuadMesh unstructured = fe::make_mesh(scene);
+  for (const double x : {0.437, 0.771})
+  {
+    EXPECT_TRUE(has_vertex(structured, {x, 1.})) << x;
+    EXPECT_TRUE(has_vertex(unstructured, {x, 1.})) << x;
+  }
+  EXPECT_NEAR(area_of(unstructured), 2.15, 1e-9);
+}
