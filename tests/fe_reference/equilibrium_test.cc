@@ -238,6 +238,6 @@ TEST(Supports, RefuseToHoldNothing)
   scene::Scene scene = fe_test::solid_scene(1e6, {1, 1}, 1, 1);
   scene.bodies = {fe_test::rectangle(0., 0., 1., 1.)};
   scene.supports = {support("bottom", scene::Edge::bottom, "0", "0"),
-                    support("nowhere", scene::Box{{0.4, 0.4}, {0.6, 0.6}}, "0", "0")};
+                    support("nowhere", scene::Box{{1.4, 0.4}, {1.6, 0.6}}, "0", "0")};
   EXPECT_THROW(fe_test::problem_of(scene), scene::BadScene);
 }
