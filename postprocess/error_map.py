@@ -8,11 +8,10 @@ import base64
 import io
 
 import h5py
-import matplotlib
-
-matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
+
+import style  # no window: it chooses matplotlib's drawing engine
 
 FIELDS = ("von_mises", "plastic_strain", "displacement_y")
 RASTER = 48  # raster cells along the longer side
@@ -65,24 +64,29 @@ def picture(name, a, b, labels):
     difference = fields[0] - fields[1]
     if not np.isfinite(difference).any():
         return None
-    figure, axes = plt.subplots(1, 3, figsize=(10, 1.4 + 3.0 * min(1.6, (high - low)[1] / (high - low)[0])), constrained_layout=True)
+    figure, axes = plt.subplots(1, 3, figsize=(10, 1.3 + 3.0 * min(1.6, (high - low)[1] / (high - low)[0])), layout="constrained", sharey=True)
+    quantity = style.NAMES.get(name, name)
     extent = (low[0], high[0], low[1], high[1])
     shared = dict(vmin=np.nanmin(fields), vmax=np.nanmax(fields))
     top = np.nanmax(np.abs(difference)) or 1.0
     for axis, field, label in zip(axes, (*fields, difference), (*labels, "difference")):
-        style = dict(cmap="viridis", **shared) if label != "difference" else dict(cmap="RdBu_r", vmin=-top, vmax=top)
-        image = axis.imshow(field, origin="lower", extent=extent, interpolation="nearest", **style)
+        colours = dict(cmap=style.MAPS.get(name, "viridis"), **shared) if label != "difference" else dict(cmap="RdBu_r", vmin=-top, vmax=top)
+        image = axis.imshow(field, origin="lower", extent=extent, interpolation="nearest", **colours)
         axis.set_title(label, fontsize=9)
         axis.tick_params(labelsize=7)
         axis.locator_params(nbins=5)
         bar = figure.colorbar(image, ax=axis, location="bottom", aspect=30)
         bar.ax.tick_params(labelsize=7)
         bar.ax.locator_params(nbins=4)
+        bar.set_label(quantity if label != "difference" else f"{quantity}, difference", fontsize=8)
+        bar.ax.xaxis.get_offset_text().set_size(7)
+        axis.set_xlabel("x", fontsize=8)
+    axes[0].set_ylabel("y", fontsize=8)
     stream = io.BytesIO()
-    figure.savefig(stream, format="png", dpi=90, metadata={"Software": None})
+    figure.savefig(stream, format="png", dpi=110, bbox_inches="tight", pad_inches=0.05, metadata={"Software": None})
     plt.close(figure)
     rms = np.sqrt(np.nanmean(difference**2))
-    text = f"{name}: {labels[0]}, {labels[1]} and their difference (rms {rms:.3g}, largest {top:.3g}), means over raster cells"
+    text = f"{name} at the last snapshot, in the scene's units: {labels[0]}, {labels[1]} and their difference (rms {rms:.3g}, largest {top:.3g}), means over raster cells"
     return dict(title=text, png=base64.b64encode(stream.getvalue()).decode())
 
 

@@ -6,6 +6,7 @@ Reads campaign.json, <case>/curves.json and, where there are any, tradeoff/*.jso
 
 import base64
 import json
+import re
 import sys
 from pathlib import Path
 
@@ -18,6 +19,7 @@ import report_extremes
 import report_modules
 import report_trade
 from svgplot import Plot
+from table import unit_of
 
 MEANING = {
     0: "all right",
@@ -38,7 +40,10 @@ def significant(value, digits=4):
     """A number for people; a dash where there is none."""
     if value is None:
         return "–"
-    return f"{value:.{digits}g}"
+    text = f"{value:.{digits}g}"
+    if "e+" in text and abs(value) < 1e6:
+        return f"{value:.0f}"
+    return re.sub(r"e([+-])0*", lambda m: "e" + m[1].replace("+", ""), text)
 
 
 def size(value):
@@ -48,6 +53,14 @@ def size(value):
 
 def short(label, length=58):
     return label if len(label) <= length else label[: length - 1] + "…"
+
+
+def axis_names(label):
+    """What a curve is drawn over, and what it is: from its description, such as 'mpm_pf: line "arm" von_mises over x at t = 1'."""
+    found = re.search(r'\b(table|line)((?: "[^"]*")+) (.+?)(?: over (.+?))?(?: from .+ to .+?)?(?: at (?:the end|t = .+))?$', label)
+    if not found:
+        return "abscissa", "value"
+    return found[4] or ("time" if found[1] == "table" else "distance along the line"), short(found[3], 34)
 
 
 def overlay(curves):
@@ -62,7 +75,7 @@ def overlay(curves):
         return plot.svg()
     if "x" not in taken:
         return ""
-    plot = Plot("abscissa", "value")
+    plot = Plot(*axis_names(taken["label"]))
     if "x" in reference:
         plot.line(reference["x"], reference["y"], short(reference["label"]), "#2c6fbb", width=2.6)
     plot.line(taken["x"], taken["y"], short(taken["label"]), "#c0392b", "5 3")
@@ -85,11 +98,19 @@ def add_pictures(folder, case):
     """Puts an SVG into each check that has curves, an outline or an order."""
     curves = {c["check"]: c for c in read_json(folder / case["case"] / "curves.json") or []}
     for check in case["checks"]:
-        check["picture"] = ""
+        check["picture"], check["value_unit"] = "", unit_of(check)
         if "order" in check:
             check["picture"] = order_plot(check["order"])
         elif check["name"] in curves:
             check["picture"] = overlay(curves[check["name"]])
+
+
+def split_forecasts(case):
+    """Forecasts of runs are checks like any other, but of the plan and not of physics: they are shown apart."""
+    for check in case["checks"]:
+        check["forecast"] = check["name"].startswith("forecast, ")
+    case["forecasts"] = [check for check in case["checks"] if check["forecast"]]
+    case["physics"] = [check for check in case["checks"] if not check["forecast"]]
 
 
 def error_maps(folder, case):
@@ -108,21 +129,32 @@ def images(folder):
     return [(p.stem, base64.b64encode(p.read_bytes()).decode()) for p in found]
 
 
+def heading(campaign):
+    """What the report is of, and how it ended where anything was judged."""
+    if not campaign["cases"]:
+        return "verify: what speed costs, where it breaks"
+    return f'verify {campaign["suite"]}: {MEANING.get(campaign["exit_code"], "")}'
+
+
 def write(folder):
     campaign = read_json(folder / "campaign.json")
     if campaign is None:  # a trade or a map was measured without a campaign
-        campaign = dict(suite="trade and extremes", started="", wall_s=None, exit_code=0, cores=0, jobs=0, cases=[], provenance={})
+        campaign = dict(suite="", started="", wall_s=None, exit_code=0, cores=0, jobs=0, cases=[], provenance={})
     for case in campaign["cases"]:
         add_pictures(folder, case)
+        split_forecasts(case)
         case["maps"] = error_maps(folder, case)
         case["cpu_s"] = sum(run["cpu_s"] for run in case["runs"])
         case["wall_s"] = sum(run["wall_s"] for run in case["runs"])
+    checks = [check for case in campaign["cases"] for check in case["checks"]]
     here = Path(__file__).resolve().parent
     environment = jinja2.Environment(loader=jinja2.FileSystemLoader(here), autoescape=True, trim_blocks=True, lstrip_blocks=True)
     environment.filters.update(sig=significant, mb=size, parts=report_modules.parts_table)
     page = environment.get_template("report.html").render(
         campaign=campaign,
-        meaning=MEANING.get(campaign["exit_code"], ""),
+        heading=heading(campaign),
+        checks=checks,
+        passed=sum(check["status"] == "pass" for check in checks),
         images=images(folder),
         trades=report_trade.pages(folder),
         extremes=report_extremes.pages(folder),

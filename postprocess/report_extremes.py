@@ -1,7 +1,7 @@
 """The stability maps of the report, from DIR/stability/<case>.json as `verify stability` writes it.
 
 Each map is a grid of cells coloured by class; the title of a cell says why and holds the command that repeats it. Black bars: the edge of
-stability found by bisection; hollow bars: the theoretical limit.
+stability found by bisection; white bars: the theoretical limit. The legend names what the map holds and nothing else.
 
     postprocess/report_extremes.py RESULTS_DIR CASE N FILE.svg      the N-th map of the case (from 1), by itself
 """
@@ -22,7 +22,12 @@ CLASSES = {
     "refused": "#5f7f9f",
     "not judged": "#b8bcbf",
 }
-CELL_WIDTH, CELL_HEIGHT, LEFT, TOP = 74, 30, 170, 26
+CELL_WIDTH, CELL_HEIGHT, TOP = 74, 30, 44  # a cell is at least so wide
+LETTER = 6.2  # pixels of a letter of the font below, on average: enough to keep text inside the picture
+BARS = {
+    "edge": ("edge of stability", (("#000", 4),)),
+    "theory": ("theoretical limit", (("#000", 5), ("#fff", 2.5))),
+}
 
 
 def span_position(values, wanted):
@@ -38,42 +43,66 @@ def span_position(values, wanted):
     return None
 
 
-def bar(values, row, wanted, style):
+def short_value(value, most=9):
+    """The value of an axis as the command has it, or as 6e+12 where that would not fit."""
+    words = str(value)
+    try:
+        return words if len(words) <= most else f"{float(words):g}"
+    except ValueError:
+        return words
+
+
+def strokes(x, y, kind):
+    """The mark of an edge or of a theoretical limit."""
+    return "".join(f'<path d="M{x:.1f} {y}v{CELL_HEIGHT - 4}" stroke="{colour}" stroke-width="{width}"/>' for colour, width in BARS[kind][1])
+
+
+def bar(values, row, wanted, kind, left, cell_width):
     at = span_position(values, wanted) if wanted is not None else None
-    if at is None:
-        return ""
-    x, y = LEFT + at * CELL_WIDTH, TOP + row * CELL_HEIGHT
-    return f'<path d="M{x:.1f} {y + 2}v{CELL_HEIGHT - 4}" {style}/>'
+    return "" if at is None else strokes(left + at * cell_width, TOP + row * CELL_HEIGHT + 2, kind)
+
+
+def text(x, y, words, anchor="start"):
+    return f'<text x="{x:.1f}" y="{y:.1f}" text-anchor="{anchor}" fill="currentColor">{escape(str(words))}</text>'
+
+
+def legend(stability_map, bars, y):
+    """(SVG, its width): classes and bars that occur in this map."""
+    parts, x = [], 8
+    present = {cell["class"] for cell in stability_map["cells"]}
+    for name in [name for name in CLASSES if name in present]:
+        parts.append(f'<rect x="{x}" y="{y}" width="16" height="16" rx="3" fill="{CLASSES[name]}"/>' + text(x + 21, y + 12, name))
+        x += 36 + LETTER * len(name)
+    for kind in [kind for kind in BARS if kind in bars]:
+        parts.append(f'<g transform="translate({x + 4:.1f} {y}) scale(1 .6)">{strokes(0, 0, kind)}</g>' + text(x + 14, y + 12, BARS[kind][0]))
+        x += 28 + LETTER * len(BARS[kind][0])
+    return "".join(parts), x
 
 
 def picture(stability_map):
     xs, ys = stability_map["x"]["values"], stability_map["y"]["values"] or [""]
-    width, height = LEFT + CELL_WIDTH * len(xs) + 10, TOP + CELL_HEIGHT * len(ys) + 30
-    parts = [f'<svg viewBox="0 0 {width} {height}" width="{width}" height="{height}" font-family="sans-serif" font-size="11" role="img">']
-    for k, value in enumerate(xs):
-        parts.append(f'<text x="{LEFT + (k + 0.5) * CELL_WIDTH}" y="{TOP - 8}" text-anchor="middle" fill="currentColor">{escape(str(value))}</text>')
-    for j, value in enumerate(ys):
-        parts.append(
-            f'<text x="{LEFT - 8}" y="{TOP + (j + 0.65) * CELL_HEIGHT}" text-anchor="end" fill="currentColor">{escape(str(value))}</text>'
-        )
+    x_label, y_label = f'{stability_map["x"]["label"]} →', f'{stability_map["y"]["label"]} ↓' if stability_map["y"]["values"] else ""
+    left = 24 + LETTER * max(len(str(words)) for words in (*map(short_value, ys), y_label))
+    wide = max(CELL_WIDTH, 8 + LETTER * max(len(short_value(value)) for value in xs))
+    parts, bars = [], {}
     for cell in stability_map["cells"]:
-        x, y = LEFT + cell["column"] * CELL_WIDTH, TOP + cell["row"] * CELL_HEIGHT
+        x, y = left + cell["column"] * wide, TOP + cell["row"] * CELL_HEIGHT
         title = escape(f"{cell['class']}: {cell['why']}\n{cell['repeat']}")
-        parts.append(
-            f'<rect x="{x + 1}" y="{y + 1}" width="{CELL_WIDTH - 2}" height="{CELL_HEIGHT - 2}" rx="3" fill="{CLASSES.get(cell["class"], "#999")}"><title>{title}</title></rect>'
-        )
+        colour = CLASSES.get(cell["class"], "#999")
+        parts.append(f'<rect x="{x + 1:.1f}" y="{y + 1}" width="{wide - 2:.1f}" height="{CELL_HEIGHT - 2}" rx="3" fill="{colour}"><title>{title}</title></rect>')
     for edge in stability_map["edges"]:
-        parts.append(bar(xs, edge["row"], edge.get("edge"), 'stroke="#000" stroke-width="4"'))
-        parts.append(bar(xs, edge["row"], edge.get("theory"), 'stroke="#fff" stroke-width="3" stroke-dasharray="3 3"'))
-    label = f'{stability_map["x"]["label"]} →   (rows: {stability_map["y"]["label"]})'
-    parts.append(f'<text x="{LEFT}" y="{height - 10}" fill="currentColor">{escape(label)}</text></svg>')
-    return "".join(parts)
-
-
-def legend():
-    return " ".join(
-        f'<span class="badge" style="background:{colour}">{escape(name)}</span>' for name, colour in CLASSES.items()
-    )
+        for kind in BARS:
+            drawn = bar(xs, edge["row"], edge.get(kind), kind, left, wide)
+            bars.update({kind: True} if drawn else {})
+            parts.append(drawn)
+    parts += [text(left + (k + 0.5) * wide, TOP - 8, short_value(value), "middle") for k, value in enumerate(xs)]
+    parts += [text(left - 8, TOP + (j + 0.65) * CELL_HEIGHT, short_value(value), "end") for j, value in enumerate(ys)]
+    below = TOP + CELL_HEIGHT * len(ys) + 14
+    signs, reach = legend(stability_map, bars, below)
+    parts.append(text(left, TOP - 28, x_label) + text(left - 8, TOP - 8, y_label, "end") + signs)
+    width, height = max(left + wide * len(xs) + 10, left + LETTER * len(x_label), reach), below + 26
+    head = f'<svg viewBox="0 0 {width:.0f} {height}" width="{width:.0f}" height="{height}" font-family="sans-serif" font-size="11" role="img">'
+    return head + "".join(parts) + "</svg>"
 
 
 def edges(stability_map):
@@ -84,20 +113,25 @@ def edges(stability_map):
         rows.append(f"<tr><td>{escape(str(value))}</td><td class='n'>{edge['stable']:.4g}</td><td class='n'>{edge['unstable']:.4g}</td><td class='n'>{theory}</td></tr>")
     if not rows:
         return ""
-    head = f"<tr><th>{escape(stability_map['y']['label'])}</th><th>last stable</th><th>first unstable</th><th>theory</th></tr>"
-    return f"<table>{head}{''.join(rows)}</table>"
+    head = f"<tr><th>{escape(stability_map['y']['label'])}</th><th class='n'>last stable</th><th class='n'>first unstable</th><th class='n'>theory</th></tr>"
+    return f"<table class='narrow'>{head}{''.join(rows)}</table>"
 
 
 def commands(stability_map):
     lines = "".join(
-        f"<tr><td>{escape(str(c['x']))}</td><td>{escape(str(c['y']))}</td><td>{escape(c['class'])}</td><td>{escape(c['why'])}</td><td><code>{escape(c['repeat'])}</code></td></tr>"
+        f"<tr><td>{escape(str(c['x']))}</td><td>{escape(str(c['y']))}</td><td>{escape(c['class'])}</td><td>{escape(c['why'])}</td><td class='command'><code>{escape(c['repeat'])}</code></td></tr>"
         for c in stability_map["cells"]
     )
-    return f"<details><summary>every cell is a command</summary><div class='scroll'><table>{lines}</table></div></details>"
+    head = "".join(f"<th>{escape(name)}</th>" for name in (stability_map["x"]["label"], stability_map["y"]["label"] or "", "class", "why", "repeat with"))
+    return f"<details><summary>every cell is a command</summary><div class='scroll'><table><tr>{head}</tr>{lines}</table></div></details>"
 
 
 def page(stability):
-    parts = [f"<p>{legend()}</p>"]
+    made = stability.get("provenance", {})
+    parts = [
+        f"<p class='quiet'>Suite {escape(stability.get('suite', ''))}; a cell's title says why it has its class. {escape(made.get('start', ''))}, "
+        f"commit <code>{escape(made.get('commit', ''))}</code>{', with uncommitted changes' if made.get('dirty') in ('yes', 'true', '1') else ''}.</p>"
+    ]
     for stability_map in stability["maps"]:
         parts.append(f"<h3>{escape(stability_map['name'])}</h3><div class='scroll'>{picture(stability_map)}</div>")
         parts.append(edges(stability_map) + commands(stability_map))

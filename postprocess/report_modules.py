@@ -32,6 +32,15 @@ def megabytes(value):
     return f"{mb:.0f}" if mb >= 100 else f"{mb:.3g}" if mb >= 0.01 else f"{mb:.3f}"
 
 
+def seconds(value):
+    """Two digits, without exponents."""
+    return "–" if value is None else f"{value:.0f}" if value >= 100 else f"{value:.2g}" if value >= 1e-4 else "0"
+
+
+def percent(share):
+    return f"{100 * share:.0f} %" if share >= 0.005 else "< 1 %"
+
+
 def held(run):
     """Bytes by module as measured by the run itself."""
     return {name[6:]: value for name, value in run.get("profile", {}).items() if name.startswith("bytes ") and value}
@@ -50,7 +59,7 @@ def part_rows(run):
     parts = run.get("parts", {})
     whole = sum(parts[name]["cpu_s"] for name in FRAME if name in parts) or 1.0
     shown = sorted(((name, part) for name, part in parts.items() if name != "solve" and part["cpu_s"] > 0), key=lambda p: -p[1]["cpu_s"])
-    return [(name, f'{part["cpu_s"]:.2g}', f'{100 * part["cpu_s"] / whole:.0f} %', f'{part["calls"]:.0f}') for name, part in shown]
+    return [(name, seconds(part["cpu_s"]), percent(part["cpu_s"] / whole), f'{part["calls"]:.0f}') for name, part in shown]
 
 
 def rows(campaign):
@@ -74,19 +83,23 @@ def sums_text(run):
     return (
         pair(megabytes(forecast["solver_bytes"]), megabytes(forecast["measured_solver_bytes"]), forecast["memory"]),
         pair(megabytes(forecast["resident_bytes"]), megabytes(run["peak_rss_bytes"]), forecast["resident"]),
-        pair(f'{forecast["cpu_s"]:.2g}', f'{run["cpu_s"]:.2g}', forecast["time"]),
+        pair(seconds(forecast["cpu_s"]), seconds(run["cpu_s"]), forecast["time"]),
     )
 
 
 def small_table(head, lines):
     cells = "".join("<tr>" + "".join(f"<td{' class=n' if k else ''}>{escape(cell)}</td>" for k, cell in enumerate(line)) + "</tr>" for line in lines)
-    return "<table><tr>" + "".join(f"<th>{escape(name)}</th>" for name in head) + f"</tr>{cells}</table>" if lines else "–"
+    return "<table><tr>" + "".join(f"<th{' class=n' if k else ''}>{escape(name)}</th>" for k, name in enumerate(head)) + f"</tr>{cells}</table>" if lines else "–"
 
 
 def parts_table(run):
     """HTML: the profile of one run by part, empty where its record has none."""
     lines = part_rows(run)
     return small_table(("part", "CPU s", "share", "calls"), lines) if lines else ""
+
+
+def lines_of(texts):
+    return "<br>".join(escape(text) for text in texts) or "–"
 
 
 def line_of_page(case, run):
@@ -97,7 +110,8 @@ def line_of_page(case, run):
         f'<tr><td><a href="#{escape(case)}">{escape(case)}</a><br><span class="quiet">{escape(run["name"])}</span></td>'
         f'<td class="wide">{escape(", ".join(modules(forecast["on"])))}' + (f'<br><span class="quiet">off: {escape(off)}</span>' if off else "") + "</td>"
         f'<td class="n">{memory}</td><td class="n">{resident}</td><td class="n">{time}</td>'
-        f'<td>{small_table(("MB of", "foretold", "measured"), memory_rows(run))}</td><td>{parts_table(run)}</td></tr>'
+        f"<td class='close'>{lines_of(f'{name} {foretold} / {measured}' for name, foretold, measured in memory_rows(run))}</td>"
+        f"<td class='close'>{lines_of(f'{name} {cpu_s} s, {share}' for name, cpu_s, share, _ in part_rows(run))}</td></tr>"
     )
 
 
@@ -107,7 +121,8 @@ def page(campaign):
     if not body:
         return ""
     said = "; ".join(f'{what}: {count["met"]} met, {count["missed"]} missed, {count["not judged"]} not judged' for what, count in campaign.get("forecasts", {}).items())
-    head = "".join(f"<th>{name}</th>" for name in ("case and run", "modules", "solver MB", "resident MB", "CPU s", "memory by module", "time by part"))
+    heads = [("case and run", ""), ("modules", ""), ("solver MB", " class=n"), ("resident MB", " class=n"), ("CPU s", " class=n"), ("MB by module", ""), ("CPU time by part", "")]
+    head = "".join(f"<th{kind}>{name}</th>" for name, kind in heads)
     note = (
         "Numbers are foretold by --plan / measured. ✓ met: the solver's memory within 10 %, resident memory within 10 % + 50 MB, CPU time within a "
         "factor 2 (3 where finite elements choose their steps or points are sown); – not judged: below 1 s of CPU. What is off holds no byte and is "
@@ -117,7 +132,7 @@ def page(campaign):
 
 
 def dearest(run, most=3):
-    return ", ".join(f"{name} {share}" for name, _, share, _ in part_rows(run)[:most])
+    return ", ".join(f"{name} {share}" for name, _, share, _ in part_rows(run)[:most] if share != percent(0))
 
 
 def markdown(campaign):

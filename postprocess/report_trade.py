@@ -75,13 +75,21 @@ def plot(trade, measure):
     return picture.svg()
 
 
+def drawn(trade, measure):
+    """The plot, or why there is none."""
+    errors = [row["errors"].get(measure) for row in trade["rows"]]
+    if any(errors):
+        return plot(trade, measure)
+    return f"<p>No plot: {'every error that was measured is exactly zero' if 0 in errors else 'nothing was measured'}.</p>"
+
+
 def table(trade):
     measures = trade["measures"]
-    head = "".join(f"<th>{escape(m)}</th>" for m in measures)
+    head = "".join(f"<th class='n'>{escape(m)}</th>" for m in measures)
     lines = []
     for row in sorted(trade["rows"], key=lambda r: r["cpu_s"]):
         cells = "".join(
-            f'<td class="n">{row["errors"][m]:.3g}</td>' if row["errors"].get(m) is not None else "<td>–</td>" for m in measures
+            f'<td class="n">{row["errors"][m]:.3g}</td>' if row["errors"].get(m) is not None else '<td class="n">–</td>' for m in measures
         )
         memory = row["peak_rss_bytes"] / 1e6
         spread = f' ± {row["cpu_spread_s"]:.2g}' if row.get("cpu_spread_s") else ""
@@ -91,7 +99,7 @@ def table(trade):
             f'<td><details><summary>repeat</summary><code>{escape(row["repeat"])}</code></details></td></tr>'
         )
     return (
-        '<div class="scroll"><table><tr><th>family</th><th>settings</th><th>status</th><th>CPU s</th><th>wall s</th><th>MB</th>'
+        '<div class="scroll"><table><tr><th>family</th><th>settings</th><th>status</th><th class="n">CPU s</th><th class="n">wall s</th><th class="n">MB</th>'
         f"{head}<th></th></tr>{''.join(lines)}</table></div>"
     )
 
@@ -101,11 +109,13 @@ def page(trade):
     options = "".join(f'<option value="{k}">{escape(m)}</option>' for k, m in enumerate(trade["measures"]))
     shown = "this.parentNode.querySelectorAll('figure').forEach((f, k) => f.hidden = k != this.value)"
     figures = "".join(
-        f'<figure{"" if k == 0 else " hidden"}>{plot(trade, m)}</figure>' for k, m in enumerate(trade["measures"])
+        f'<figure{"" if k == 0 else " hidden"}>{drawn(trade, m)}</figure>' for k, m in enumerate(trade["measures"])
     )
+    made = trade["provenance"]
     note = (
         f'Suite {escape(trade["suite"])}; reference: {escape(trade["reference"]["text"])}. Filled: on the front; pale: dominated; '
-        f'crosses: diverged or out of time. Commit <code>{escape(trade["provenance"].get("commit", ""))}</code>.'
+        f'crosses at the upper edge: diverged or out of time. Errors below the line of the reference\'s uncertainty, where there is one, cannot be told '
+        f'apart; an error of zero has no place on these axes. {escape(made.get("start", ""))}, commit <code>{escape(made.get("commit", ""))}</code>.'
     )
     return f'<p class="quiet">{note}</p><div>error in <select aria-label="norm, {escape(case)}" onchange="{escape(shown)}">{options}</select>{figures}</div>{table(trade)}'
 

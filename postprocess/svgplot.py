@@ -6,9 +6,10 @@ Not for the paper's figures (matplotlib, style.py): a report holds a hundred sma
 import math
 from html import escape
 
-COLOURS = ["#c0392b", "#2c6fbb", "#2e8b57", "#8e5ea2", "#d98e04", "#5f6b73", "#0f8b8d", "#a0522d"]
+COLOURS = ["#c0392b", "#2c6fbb", "#2e8b57", "#8e5ea2", "#d98e04", "#5f6b73", "#0f8b8d", "#a0522d", "#e0569b", "#6b8e23", "#1b2a6b"]
 WIDTH, HEIGHT = 420, 270
 LEFT, RIGHT, TOP, BOTTOM = 62, 12, 14, 40
+LEGEND_LINE = 14
 
 
 def finite(values):
@@ -34,6 +35,8 @@ def log_ticks(low, high):
     ticks = [m * 10.0**d for d in decades for m in (1, 2, 5) if low * 0.999 <= m * 10.0**d <= high * 1.001]
     if len(ticks) > 7:
         ticks = [10.0**d for d in decades if low * 0.999 <= 10.0**d <= high * 1.001]
+    if len(ticks) < 2:  # less than a factor two: round numbers, as on a linear axis
+        ticks = nice_ticks(low, high, 3)
     return ticks
 
 
@@ -83,8 +86,9 @@ class Plot:
         self.x_label, self.y_label = x_label, y_label
         self.log_x, self.log_y, self.equal = log_x, log_y, equal
         self.width, self.height = size
-        self.right = self.width - (legend_width or RIGHT)  # a legend beside the frame covers no data
-        self.beside = legend_width > 0
+        self.right = self.width - (legend_width or RIGHT)
+        self.beside = legend_width > 0  # a legend beside the frame, else above it: it never covers data
+        self.top = TOP
         self.series = []
 
     def line(self, x, y, label="", colour=None, dash="", width=1.8, closed=False):
@@ -95,11 +99,18 @@ class Plot:
     def points(self, x, y, label="", colour=None, pale=False, titles=None, shape="circle"):
         self.series.append(dict(kind="points", x=x, y=y, label=label, colour=colour, pale=pale, titles=titles, shape=shape))
 
+    def _make_room(self):
+        """The frame keeps its height; the legend's lines come on top of it."""
+        lines = 0 if self.beside else sum(1 for s in self.series if s["label"])
+        top = TOP + LEGEND_LINE * lines
+        self.height, self.top = self.height + top - self.top, top
+
     def svg(self):
+        self._make_room()
         xs = [v for s in self.series for v in s["x"]]
         ys = [v for s in self.series for v in s["y"]]
         x_axis = Axis(xs, LEFT, self.right, self.log_x)
-        y_axis = Axis(ys, self.height - BOTTOM, TOP, self.log_y)
+        y_axis = Axis(ys, self.height - BOTTOM, self.top, self.log_y)
         if self.equal:
             self._make_equal(x_axis, y_axis)
         parts = [
@@ -126,19 +137,19 @@ class Plot:
             axis.low, axis.high = middle - half, middle + half
 
     def _frame(self, x_axis, y_axis):
-        bottom, right = self.height - BOTTOM, self.right
+        top, bottom, right = self.top, self.height - BOTTOM, self.right
         parts = [
-            f'<rect x="{LEFT}" y="{TOP}" width="{right - LEFT}" height="{bottom - TOP}" fill="none" stroke="currentColor" stroke-opacity=".35"/>'
+            f'<rect x="{LEFT}" y="{top}" width="{right - LEFT}" height="{bottom - top}" fill="none" stroke="currentColor" stroke-opacity=".35"/>'
         ]
         for tick in x_axis.ticks():
             x = x_axis.position(tick)
-            parts.append(f'<path d="M{x:.1f} {bottom}v-{bottom - TOP}" stroke="currentColor" stroke-opacity=".08"/>')
+            parts.append(f'<path d="M{x:.1f} {bottom}v-{bottom - top}" stroke="currentColor" stroke-opacity=".08"/>')
             parts.append(f'<text x="{x:.1f}" y="{bottom + 14}" text-anchor="middle" fill="currentColor">{number(tick)}</text>')
         for tick in y_axis.ticks():
             y = y_axis.position(tick)
             parts.append(f'<path d="M{LEFT} {y:.1f}h{right - LEFT}" stroke="currentColor" stroke-opacity=".08"/>')
             parts.append(f'<text x="{LEFT - 5}" y="{y + 4:.1f}" text-anchor="end" fill="currentColor">{number(tick)}</text>')
-        middle_x, middle_y = 0.5 * (LEFT + right), 0.5 * (TOP + bottom)
+        middle_x, middle_y = 0.5 * (LEFT + right), 0.5 * (top + bottom)
         parts.append(f'<text x="{middle_x}" y="{self.height - 8}" text-anchor="middle" fill="currentColor">{escape(self.x_label)}</text>')
         parts.append(
             f'<text transform="translate(13 {middle_y}) rotate(-90)" text-anchor="middle" fill="currentColor">{escape(self.y_label)}</text>'
@@ -174,7 +185,7 @@ class Plot:
         return parts
 
     def _legend(self):
-        parts, y, x = [], TOP + 13, self.right + 2 if self.beside else LEFT + 8
+        parts, y, x = [], self.top + 13 if self.beside else TOP - 2, self.right + 8 if self.beside else 12
         for k, series in enumerate(self.series):
             if not series["label"]:
                 continue
@@ -182,7 +193,7 @@ class Plot:
             dash = f' stroke-dasharray="{series.get("dash")}"' if series.get("dash") else ""
             parts.append(f'<path d="M{x} {y - 4}h18" stroke="{colour}" stroke-width="3"{dash}/>')
             parts.append(f'<text x="{x + 23}" y="{y}" fill="currentColor">{escape(series["label"])}</text>')
-            y += 14
+            y += LEGEND_LINE
         return parts
 
 

@@ -18,11 +18,17 @@ def limit_text(limit):
     return number(limit)
 
 
+def unit_of(check):
+    """The unit of a check's value; an order of convergence and a relative norm have none, whatever they are taken of."""
+    unit = check.get("unit") or "-"
+    return "-" if "order" in check or check["norm"].startswith("relative") else unit
+
+
 def rows(folder):
     verdict = json.loads((folder / "verdict.json").read_text())
     for check in verdict["checks"]:
         yield (folder.name, check["name"], number(check["value"]), limit_text(check["limit"]),
-               check.get("unit") or "", check["status"])
+               unit_of(check), check["status"])
 
 
 def main(arguments):

@@ -54,7 +54,8 @@ class Figures(Scratch):
     def test_cover_the_paper(self):
         wanted = [f"fig{k}" for k in range(1, 7)] + ["fig7a", "fig7b"] + [f"fig{k}" for k in range(8, 13)]
         wanted += ["fig12_claims", "fig13", "fig14", "fig15", "fig15_claims", "fig16", "fig17"]
-        self.assertEqual(list(figures.all_figures(HERE.parents[1] / "benchmarks")), wanted)
+        drawn = figures.all_figures(HERE.parents[1] / "benchmarks")
+        self.assertEqual([name for name in drawn if name.startswith("fig")], wanted)  # cases beside the paper have names of their own
 
     def test_are_drawn_with_their_curves_and_always_with_the_same_bytes(self):
         synthetic.cantilever(self.folder)

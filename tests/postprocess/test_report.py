@@ -1,0 +1,87 @@
+"""The report's words and numbers: what stands on an axis, which unit a value has, what a page holds where nothing was judged."""
+
+import json
+import pathlib
+import tempfile
+import unittest
+
+import report
+import report_extremes
+import report_modules
+import report_trade
+import svgplot
+import table
+
+ROW = {"family": "cells", "solver": "mpm_pf", "settings": {}, "status": "complete", "cpu_s": 1.0, "wall_s": 1.0, "peak_rss_bytes": 1e6, "repeat": "again"}
+TRADE = {"case": "a", "suite": "quick", "measures": ["tip, relative"], "reference": {"text": "zero"}, "provenance": {"commit": "abc"}}
+MAP = {
+    "name": "map",
+    "x": {"label": "step", "values": [6e12, 7e12]},
+    "y": {"label": "scheme", "values": ["cip"]},
+    "cells": [{"row": 0, "column": k, "x": "", "y": "", "class": c, "why": "", "repeat": "again"} for k, c in enumerate(("accurate", "diverged"))],
+    "edges": [{"row": 0, "stable": 6e12, "unstable": 7e12, "edge": 6.5e12, "theory": None}],
+}
+
+
+class Words(unittest.TestCase):
+    def test_numbers_have_no_exponent_that_digits_can_do_without(self):
+        self.assertEqual([report.significant(v, 2) for v in (649.0, 1.5e8, 2.3e-13, 0.5, None)], ["649", "1.5e8", "2.3e-13", "0.5", "–"])
+        self.assertEqual([report_modules.seconds(v) for v in (649.0, 8.44, 0.00312)], ["649", "8.4", "0.0031"])
+        self.assertEqual([report_modules.percent(v) for v in (0.97, 0.004)], ["97 %", "< 1 %"])
+
+    def test_axes_are_named_after_what_was_taken(self):
+        names = {
+            'mpm_pf: line "arm" von_mises': ("distance along the line", "von_mises"),
+            'mpm_pf: table "top" "bottom" top_force_y + bottom_force_y': ("time", "top_force_y + bottom_force_y"),
+            'mpm_pf: line "radius" stress_yy/sigma_y over x from 0.105 to 0.195 at t = done': ("x", "stress_yy/sigma_y"),
+            'mean of mpm_pf: line "axis" u at the end': ("distance along the line", "u"),
+            "something else": ("abscissa", "value"),
+        }
+        self.assertEqual({label: report.axis_names(label) for label in names}, names)
+
+    def test_a_relative_value_and_an_order_have_no_unit(self):
+        checks = ({"norm": "relative", "unit": "N/m"}, {"norm": "absolute", "unit": "m", "order": {}}, {"norm": "absolute", "unit": "m"}, {"norm": "max"})
+        self.assertEqual([table.unit_of(check) for check in checks], ["-", "-", "m", "-"])
+
+
+class Pictures(unittest.TestCase):
+    def test_the_legend_stands_above_the_frame(self):
+        plot = svgplot.Plot("x", "y")
+        plot.line([0, 1], [0, 1], "first")
+        plot.line([0, 1], [1, 0], "second")
+        drawn = plot.svg()
+        frame = float(drawn.split('<rect x="62" y="')[1].split('"')[0])
+        legend = [float(part.split('y="')[-1]) for part in drawn.split('" fill="currentColor">first')[0:1]]
+        self.assertLess(legend[0], frame)
+        self.assertEqual(drawn, plot.svg())  # drawn twice it has not grown
+
+    def test_a_narrow_logarithmic_axis_has_two_ticks(self):
+        self.assertGreaterEqual(len(svgplot.log_ticks(0.0023, 0.0047)), 2)
+
+    def test_a_map_names_what_it_holds(self):
+        drawn = report_extremes.picture(MAP)
+        for words in ("accurate", "diverged", "edge of stability", "6e+12", "step →", "scheme ↓"):
+            self.assertIn(words, drawn)
+        for words in ("refused", "theoretical limit", "6000000000000"):
+            self.assertNotIn(words, drawn)
+
+    def test_no_plot_where_all_errors_are_zero(self):
+        self.assertIn("exactly zero", report_trade.page({**TRADE, "rows": [{**ROW, "errors": {"tip, relative": 0.0}}]}))
+        self.assertIn("<svg", report_trade.page({**TRADE, "rows": [{**ROW, "errors": {"tip, relative": 0.1}}]}))
+
+
+class Page(unittest.TestCase):
+    def test_says_nothing_of_a_verdict_where_nothing_was_judged(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            (folder / "tradeoff").mkdir()
+            (folder / "tradeoff" / "a.json").write_text(json.dumps({**TRADE, "rows": [{**ROW, "errors": {"tip, relative": 0.1}}]}))
+            report.write(folder)
+            page = (folder / "index.html").read_text()
+        self.assertNotIn("all right", page)
+        self.assertIn('href="#trade-a"', page)
+        self.assertIn('id="trade-a"', page)
+
+
+if __name__ == "__main__":
+    unittest.main()
