@@ -76,11 +76,13 @@ namespace fe
       const Discretisation &d = problem.mesh;
       const int size = 2 * d.nodes_per_cell, side_size = 2 * (d.degree + 1);
       for (const Loads::Traction &traction : problem.loads.tractions)
-        for (const BoundarySide &side : traction.sides)
+        for (const Loads::LoadedSide &loaded : traction.sides)
         {
+          const BoundarySide &side = loaded.side;
           if (!d.touched[side.cell])
             continue;
-          const std::vector<double> stiffness = side_stiffness(traction, side, d, now.u, now.time);
+          const std::vector<double> stiffness =
+              side_stiffness(traction, loaded, d, now.u, now.time);
           std::vector<double> matrix(size * size, 0.);
           const auto row = [&](const int i)
           {

@@ -10,30 +10,36 @@ namespace fe
 {
   namespace
   {
-    // Three Gauss points on [0, 1]: exact for the fifth degree.
+    // Three Gauss points on the loaded part: exact for the fifth degree.
     struct SidePoint
     {
       double s, weight;
       std::array<double, 3> value{}, slope{};
     };
 
-    std::array<SidePoint, 3> side_points(const int degree)
+    SidePoint side_point(const int degree, const double s, const double weight)
     {
-      const double offset = 0.5 * std::sqrt(0.6);
-      std::array<SidePoint, 3> points{SidePoint{0.5 - offset, 5. / 18.}, SidePoint{0.5, 8. / 18.},
-                                      SidePoint{0.5 + offset, 5. / 18.}};
-      for (SidePoint &p : points)
-        if (degree == 1)
-        {
-          p.value = {1. - p.s, p.s, 0.};
-          p.slope = {-1., 1., 0.};
-        }
-        else
-        {
-          p.value = {(2. * p.s - 1.) * (p.s - 1.), 4. * p.s * (1. - p.s), p.s * (2. * p.s - 1.)};
-          p.slope = {4. * p.s - 3., 4. - 8. * p.s, 4. * p.s - 1.};
-        }
-      return points;
+      SidePoint p{s, weight};
+      if (degree == 1)
+      {
+        p.value = {1. - s, s, 0.};
+        p.slope = {-1., 1., 0.};
+      }
+      else
+      {
+        p.value = {(2. * s - 1.) * (s - 1.), 4. * s * (1. - s), s * (2. * s - 1.)};
+        p.slope = {4. * s - 3., 4. - 8. * s, 4. * s - 1.};
+      }
+      return p;
+    }
+
+    std::array<SidePoint, 3> side_points(const int degree, const Loads::LoadedSide &loaded)
+    {
+      const double half = 0.5 * (loaded.to - loaded.from), middle = loaded.from + half;
+      const double offset = std::sqrt(0.6) * half;
+      return {side_point(degree, middle - offset, 5. / 9. * half),
+              side_point(degree, middle, 8. / 9. * half),
+              side_point(degree, middle + offset, 5. / 9. * half)};
     }
 
     struct SideState
@@ -70,16 +76,65 @@ namespace fe
       return state;
     }
 
+    // The parts of a side on which the load acts: whole where its nodes are loaded, else found by
+    // looking along it and halving where the load begins and ends.
+    void add_loaded_parts(const scene::Where &where, const scene::Box &box,
+                          const BoundarySide &side, const Discretisation &d, const double tolerance,
+                          std::vector<Loads::LoadedSide> &parts)
+    {
+      const auto in = [&](const double s)
+      {
+        const SidePoint point = side_point(d.degree, s, 0.);
+        Point X = Point::Zero();
+        for (int k = 0; k <= d.degree; ++k)
+          X += point.value[k] * d.position[side.node[k]];
+        return scene::contains(where, box, X, tolerance);
+      };
+      if (in(0.) && in(0.5) && in(1.))
+      {
+        parts.push_back({side, 0., 1.});
+        return;
+      }
+      const auto change = [&](double a, double b)
+      {
+        const bool first = in(a);
+        for (int halving = 0; halving < 40; ++halving)
+          (in(0.5 * (a + b)) == first ? a : b) = 0.5 * (a + b);
+        return 0.5 * (a + b);
+      };
+      constexpr int looks = 32;
+      bool loaded = in(0.);
+      double from = 0.;
+      const auto close = [&](const double to)
+      {
+        if (to - from > 1e-6) // else it only touches the corner of an edge beside it
+          parts.push_back({side, from, to});
+      };
+      for (int k = 0; k < looks; ++k)
+      {
+        const double a = k / double(looks), b = (k + 1) / double(looks);
+        if (in(b) == loaded)
+          continue;
+        if (loaded)
+          close(change(a, b));
+        else
+          from = change(a, b);
+        loaded = !loaded;
+      }
+      if (loaded)
+        close(1.);
+    }
+
     void add_tractions(const Loads &loads, const Discretisation &d, const std::vector<double> &u,
                        const double t, std::vector<double> &force)
     {
-      const auto points = side_points(d.degree);
       for (const Loads::Traction &traction : loads.tractions)
-        for (const BoundarySide &side : traction.sides)
+        for (const Loads::LoadedSide &loaded : traction.sides)
         {
+          const BoundarySide &side = loaded.side;
           if (!d.owned[side.cell])
             continue;
-          for (const SidePoint &point : points)
+          for (const SidePoint &point : side_points(d.degree, loaded))
           {
             const SideState state = side_state(traction, side, d, u, t, point);
             const Point density = state.density();
@@ -138,15 +193,12 @@ namespace fe
       if (traction.pressure)
         load.pressure.emplace(*traction.pressure);
       for (const BoundarySide &side : d.boundary)
-        if (std::all_of(side.node.begin(), side.node.begin() + d.degree + 1,
-                        [&](const int n)
-                        { return scene::contains(traction.where, box, d.position[n], tolerance); }))
-          load.sides.push_back(side);
+        add_loaded_parts(traction.where, box, side, d, tolerance, load.sides);
       if (load.sides.empty())
         throw scene::BadScene(traction.place.file + ":" + std::to_string(traction.place.line) +
                               ": traction '" + traction.name +
-                              "' acts on no side of the mesh; name an edge or segment that "
-                              "covers at least one side of a cell");
+                              "' acts on no side of the mesh; name an edge of the outline or a "
+                              "segment on it");
       loads.tractions.push_back(std::move(load));
     }
     return loads;
@@ -163,15 +215,15 @@ namespace fe
     return force;
   }
 
-  std::vector<double> side_stiffness(const Loads::Traction &traction, const BoundarySide &side,
-                                     const Discretisation &d, const std::vector<double> &u,
-                                     const double t)
+  std::vector<double> side_stiffness(const Loads::Traction &traction,
+                                     const Loads::LoadedSide &loaded, const Discretisation &d,
+                                     const std::vector<double> &u, const double t)
   {
     const int unknowns = 2 * (d.degree + 1);
     std::vector<double> stiffness(unknowns * unknowns, 0.);
-    for (const SidePoint &point : side_points(d.degree))
+    for (const SidePoint &point : side_points(d.degree, loaded))
     {
-      const SideState state = side_state(traction, side, d, u, t, point);
+      const SideState state = side_state(traction, loaded.side, d, u, t, point);
       Eigen::Matrix2d derivative = state.traction * state.tangent.normalized().transpose();
       derivative(0, 1) -= state.pressure;
       derivative(1, 0) += state.pressure;

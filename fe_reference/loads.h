@@ -18,9 +18,15 @@ namespace fe
 {
   struct Loads
   {
+    /// Where a load begins or ends inside a side of the mesh only a part of it is loaded.
+    struct LoadedSide
+    {
+      BoundarySide side;
+      double from = 0., to = 1.; // of the side's parameter
+    };
     struct Traction
     {
-      std::vector<BoundarySide> sides;
+      std::vector<LoadedSide> sides;
       std::array<scene::Function, 2> traction;
       std::optional<scene::Function> pressure = {}; // instead of the traction
     };
@@ -41,7 +47,7 @@ namespace fe
 
   /// Stiffness of the tractions on one side: d force / du of the side's nodes, (2 (degree + 1))^2,
   /// row-major, node by node.
-  std::vector<double> side_stiffness(const Loads::Traction &, const BoundarySide &,
+  std::vector<double> side_stiffness(const Loads::Traction &, const Loads::LoadedSide &,
                                      const Discretisation &, const std::vector<double> &u,
                                      double t);
 } // namespace fe

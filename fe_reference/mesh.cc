@@ -154,7 +154,7 @@ namespace fe
         only_rectangles(scene.bodies)
             ? mesh_rectangles(cut(scene.bodies, scene.domain), cells, grading, scene.supports, ends)
             : mesh_outline(scene.bodies, scene.domain, {size[0] / cells[0], size[1] / cells[1]},
-                           ends);
+                           ends, scene.supports);
     check_pieces(scene, mesh);
     return mesh;
   }

@@ -2,8 +2,8 @@
 //
 // Unions of rectangles get a structured mesh whose grid lines pass through every edge of every
 // rectangle; cells outside the union are left out. Supports and loads on a part of an edge or in a
-// box end between elements, not inside one: there is a grid line, or a vertex of the outline, too.
-// On request the lines crowd towards the corners
+// box end between elements, not inside one: there is a grid line, or a vertex of the outline and
+// lines along a held box (support_lines.h), too. On request the lines crowd towards the corners
 // where a support ends (a clamped corner is singular, stress ~ r^(lambda-1)): between two such
 // corners positions follow the power grading s^(1/(1-grading)), which restores the order that a
 // uniform mesh loses there (I. Babuska, R. B. Kellogg, J. Pitkaranta, Numer. Math. 33 (1979) 447).
@@ -43,5 +43,6 @@ namespace fe
                            double grading, const std::vector<scene::Support> &,
                            const std::vector<Point> &ends = {});
   QuadMesh mesh_outline(const std::vector<scene::Body> &, const scene::Domain &,
-                        const Point &spacing, const std::vector<Point> &ends = {});
+                        const Point &spacing, const std::vector<Point> &ends = {},
+                        const std::vector<scene::Support> &held = {});
 } // namespace fe

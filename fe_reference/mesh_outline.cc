@@ -8,6 +8,7 @@
 #include "mesh.h"
 #include "scene/geometry.h"
 #include "simplify_outline.h"
+#include "support_lines.h"
 
 namespace fe
 {
@@ -26,11 +27,30 @@ namespace fe
       Session &operator=(const Session &) = delete;
     };
 
-    int add_loop(const scene::Polyline &outline, const double size)
+    // Points by their places: a line that ends on an outline shares the vertex there.
+    struct Places
+    {
+      double size, tolerance;
+      std::vector<std::pair<Point, int>> known = {};
+
+      int at(const Point &p)
+      {
+        for (const auto &[place, tag] : known)
+          if ((place - p).norm() < tolerance)
+            return tag;
+        known.emplace_back(p, gmsh::model::geo::addPoint(p[0], p[1], 0., size));
+        return known.back().second;
+      }
+    };
+
+    int add_loop(const scene::Polyline &outline, Places &places)
     {
       std::vector<int> points, lines;
       for (const Point &p : outline)
-        points.push_back(gmsh::model::geo::addPoint(p[0], p[1], 0., size));
+      {
+        points.push_back(gmsh::model::geo::addPoint(p[0], p[1], 0., places.size));
+        places.known.emplace_back(p, points.back());
+      }
       for (std::size_t k = 0; k < points.size(); ++k)
         lines.push_back(gmsh::model::geo::addLine(points[k], points[(k + 1) % points.size()]));
       return gmsh::model::geo::addCurveLoop(lines);
@@ -64,12 +84,14 @@ namespace fe
 
     // Outer outlines run counter-clockwise; each clockwise one is a hole of the smallest outer one
     // around it.
-    void add_surfaces(const std::vector<scene::Polyline> &outlines, const double size)
+    // Returns the surfaces by the outlines around them.
+    std::map<std::size_t, int> add_surfaces(const std::vector<scene::Polyline> &outlines,
+                                            Places &places)
     {
       std::map<std::size_t, std::vector<int>> surfaces;
       for (std::size_t k = 0; k < outlines.size(); ++k)
         if (scene::signed_area(outlines[k]) > 0.)
-          surfaces[k].push_back(add_loop(outlines[k], size));
+          surfaces[k].push_back(add_loop(outlines[k], places));
       for (const scene::Polyline &hole : outlines)
       {
         if (scene::signed_area(hole) >= 0.)
@@ -83,10 +105,35 @@ namespace fe
             owner = &loops;
           }
         if (owner)
-          owner->push_back(add_loop(hole, size));
+          owner->push_back(add_loop(hole, places));
       }
+      std::map<std::size_t, int> tags;
       for (const auto &[k, loops] : surfaces)
-        gmsh::model::geo::addPlaneSurface(loops);
+        tags[k] = gmsh::model::geo::addPlaneSurface(loops);
+      return tags;
+    }
+
+    using Line = std::array<Point, 2>;
+
+    void embed(const std::vector<Line> &held, const std::vector<scene::Polyline> &outlines,
+               const std::map<std::size_t, int> &surfaces, Places &places)
+    {
+      std::map<int, std::vector<int>> lines;
+      for (const Line &line : held)
+      {
+        const Point middle = 0.5 * (line[0] + line[1]);
+        double smallest = HUGE_VAL;
+        int surface = -1;
+        for (const auto &[k, tag] : surfaces)
+          if (inside(outlines[k], middle) && scene::signed_area(outlines[k]) < smallest)
+            smallest = scene::signed_area(outlines[k]), surface = tag;
+        const int a = places.at(line[0]), b = places.at(line[1]);
+        if (surface >= 0 && a != b)
+          lines[surface].push_back(gmsh::model::geo::addLine(a, b));
+      }
+      gmsh::model::geo::synchronize();
+      for (const auto &[surface, tags] : lines)
+        gmsh::model::mesh::embed(1, tags, 2, surface);
     }
 
     QuadMesh collect()
@@ -132,7 +179,8 @@ namespace fe
   } // namespace
 
   QuadMesh mesh_outline(const std::vector<scene::Body> &bodies, const scene::Domain &domain,
-                        const Point &spacing, const std::vector<Point> &ends)
+                        const Point &spacing, const std::vector<Point> &ends,
+                        const std::vector<scene::Support> &held)
   {
     const double size = std::min(spacing[0], spacing[1]);
     // Subdivision halves every element: the triangles before it are twice the wanted size.
@@ -142,11 +190,14 @@ namespace fe
       outline = simplify_outline(outline, 0.02 * size, 0.5 * size);
       for (const Point &end : ends)
         insert(outline, end, 1e-3 * size);
+      outline = with_support_ends(outline, held, 0.05 * size);
     }
     const Session session;
     gmsh::model::add("outline");
-    add_surfaces(outlines, 2. * size);
-    gmsh::model::geo::synchronize();
+    Places places{2. * size, 0.06 * size};
+    const auto surfaces = add_surfaces(outlines, places);
+    embed(held_lines_inside(bodies, domain, outlines, held, 0.05 * size), outlines, surfaces,
+          places);
     gmsh::option::setNumber("Mesh.MeshSizeMax", 2. * size);
     gmsh::option::setNumber("Mesh.Algorithm", 6); // frontal-Delaunay; 8 crashes in Gmsh 4.8
     gmsh::option::setNumber("Mesh.RecombineAll", 1);

@@ -276,13 +276,8 @@ namespace solid
   Supports make_supports(const scene::Scene &scene, Points &points, Tracers &tracers)
   {
     Supports supports;
-    Builder build{scene,
-                  points,
-                  tracers,
-                  supports,
-                  scene::bounding_box(scene.bodies),
-                  scene.domain.spacing()[0],
-                  0};
+    const scene::Box box = scene::bounding_box(scene.bodies);
+    Builder build{scene, points, tracers, supports, box, scene.domain.spacing()[0]};
     hold_symmetry(build);
     for (std::size_t k = 0; k < scene.supports.size(); ++k)
     {

@@ -206,6 +206,32 @@ TEST(Loads, FollowerTractionGrowsWithTheDeformedSide)
   EXPECT_NEAR(reaction(problem, outcome.last, 2, 1), -150., 1e-3);
 }
 
+// Loads that begin and end inside sides of the mesh, on a structured mesh and on one by Gmsh: all
+// of the force is carried, not only that on whole sides.
+TEST(Loads, BeginAndEndInsideSides)
+{
+  for (const bool outline : {false, true})
+  {
+    scene::Scene scene = fe_test::solid_scene(1e9, {10, 5}, 2, 1);
+    scene.bodies = {fe_test::rectangle(0., 0., 2., 1.)};
+    if (outline)
+      scene.bodies[0].shape = scene::Polygon{{{{0., 0.}, {2., 0.}, {2., 1.}, {0., 1.}}}};
+    scene.supports = {support("floor", scene::Edge::bottom, "0", "0")};
+    scene::Traction segment, box;
+    segment.where = scene::Segment{{0.43, 1.}, {0.53, 1.}}; // inside one side or across two
+    segment.traction = {expression("300"), expression("-1000")};
+    box.where = scene::Box{{1.33, 0.9}, {1.78, 1.1}};
+    box.pressure = expression("2000*X");
+    scene.tractions = {segment, box};
+    const fe::Problem problem = fe_test::problem_of(scene);
+    const fe::Outcome outcome = solve(scene, problem);
+    ASSERT_EQ(outcome.kind, fe::Outcome::Kind::complete);
+    EXPECT_NEAR(reaction(problem, outcome.last, 0, 0), -30., 1e-2);
+    EXPECT_NEAR(reaction(problem, outcome.last, 0, 1), 100. + 1000. * (1.78 * 1.78 - 1.33 * 1.33),
+                1e-2);
+  }
+}
+
 TEST(Energies, ExternalWorkIsStoredOrDissipated)
 {
   const scene::Scene scene = sheared_bar(2, 200);

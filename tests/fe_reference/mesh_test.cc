@@ -123,6 +123,41 @@ TEST(OutlineMesh, KeepsTheCornersOnSymmetrySides)
   }
 }
 
+// No cell lies across an end of a support: on the outline there is a vertex, through the material
+// runs a line.
+TEST(Mesh, HasLinesWhereSupportsBeginAndEnd)
+{
+  for (const bool outline : {false, true})
+  {
+    scene::Scene scene = fe_test::solid_scene(1e6, {10, 5}, 2, 1);
+    scene.domain.size = {4., 4.}, scene.domain.cells = {20, 20};
+    scene.bodies = {fe_test::rectangle(1., 1., 2., 1.)};
+    if (outline)
+      scene.bodies[0].shape = scene::Polygon{{{{1., 1.}, {3., 1.}, {3., 2.}, {1., 2.}}}};
+    scene.supports = {fe_test::support("segment", scene::Segment{{2.87, 2.}, {2.03, 2.}}, "0", ""),
+                      fe_test::support("box", scene::Box{{0., 0.}, {1.53, 1.37}}, "0", "0")};
+    const fe::QuadMesh mesh = fe::make_mesh(scene);
+    EXPECT_NEAR(area_of(mesh), 2., 1e-9);
+    for (const double end : {2.03, 2.87})
+      EXPECT_TRUE(std::any_of(mesh.vertices.begin(), mesh.vertices.end(),
+                              [&](const fe::Point &p)
+                              { return (p - fe::Point(end, 2.)).norm() < 1e-9; }));
+    for (const auto &cell : mesh.cells)
+    {
+      fe::Point middle = fe::Point::Zero();
+      for (const int vertex : cell)
+        middle += 0.25 * mesh.vertices[vertex];
+      const bool held = middle[0] < 1.53 && middle[1] < 1.37;
+      for (const int vertex : cell)
+      {
+        const fe::Point &p = mesh.vertices[vertex];
+        const double out = std::max(p[0] - 1.53, p[1] - 1.37);
+        EXPECT_TRUE(held ? out < 1e-9 : out > -1e-9) << p.transpose();
+      }
+    }
+  }
+}
+
 TEST(Mesh, RefusesMaterialWithoutSupport)
 {
   scene::Scene scene = fe_test::solid_scene(1e6, {6, 2}, 1, 1);
