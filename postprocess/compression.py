@@ -54,16 +54,28 @@ def is_quarter(run):
     return corner == [0.0, 0.0] == list(run.scene["body"][0]["centre"])
 
 
+def names_of(run):
+    """What the colour bars say; stresses are drawn over the yield stress where the solid has one."""
+    return {**style.NAMES, **({"von_mises": r"von Mises stress / $\sigma_Y$"} if run.scene["solid"].get("yield_stress") else {})}
+
+
+def scale_bar(axes, run, side="left"):
+    """A length in widths of the interface."""
+    panels.scale_bar(axes, run.scene["phase_field"]["width"], "$W_0$", side)
+
+
 def image_of(run, field, time):
     """(x, y, values) of a field on a regular grid, whole even where a quarter was computed.
 
     Fields of material points are means over background cells; the crystal angle is in degrees and only
-    shown in the solid.
+    shown in the solid, a von Mises stress is over the yield stress.
     """
     snapshot = nearest_snapshot(run, field, time)
     if snapshot.kind == "points":
         lower, spacing, shape = panels.background_mesh(run)
         values = panels.point_means(snapshot.vertex, snapshot.fields[field], lower, spacing, shape)
+        if field == "von_mises":
+            values = values / (run.scene["solid"].get("yield_stress") or 1.0)
         x = lower[0] + spacing[0] * (np.arange(shape[1]) + 0.5)
         y = lower[1] + spacing[1] * (np.arange(shape[0]) + 0.5)
     else:
@@ -123,7 +135,8 @@ def field_table(run, compressions, below=verdict):
         one.set(xlim=(px[0], px[-1]), ylim=(py[0], py[-1]))
         return drawn
 
-    panels.field_table(figure, axes, list(times), FIELDS, draw)
+    panels.field_table(figure, axes, list(times), FIELDS, draw, names_of(run))
+    scale_bar(axes[0, 0], run)
     if below(run):
         figure.supxlabel(below(run), fontsize=6.5)
     curves = []

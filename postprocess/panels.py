@@ -7,7 +7,7 @@ case put them together. A Curve is what also goes into the CSV beside a figure.
 from dataclasses import dataclass
 
 import numpy as np
-from matplotlib import collections, colors, patches, path
+from matplotlib import collections, colors, patches, path, patheffects
 
 import style
 
@@ -193,7 +193,20 @@ def wall(axes, corner, size):
     axes.add_patch(patches.Rectangle(corner, *size, fill=False, hatch="//////", linewidth=0))
 
 
-def field_table(figure, axes, rows, columns, draw):
+def scale_bar(axes, unit, name, side="left"):
+    """A round length, about a fifth of the panel, in multiples of `unit`, in a lower corner; for panels without ticks."""
+    (left, right), (low, high) = axes.get_xlim(), axes.get_ylim()
+    most = 0.25 * (right - left) / unit
+    power = 10.0 ** np.floor(np.log10(most))
+    length = max(m for m in (1, 2, 5) if m * power <= most) * power
+    halo = [patheffects.withStroke(linewidth=3, foreground="white")]
+    margin, y = 0.04 * (right - left), low + 0.06 * (high - low)
+    x = left + margin if side == "left" else right - margin - length * unit
+    axes.plot([x, x + length * unit], [y, y], color="black", lw=1.5, solid_capstyle="butt", path_effects=halo)
+    axes.text(x + 0.5 * length * unit, y + 0.03 * (high - low), f"{length:g} {name}", ha="center", va="bottom", fontsize=6, path_effects=halo)
+
+
+def field_table(figure, axes, rows, columns, draw, names=style.NAMES):
     """A table of field panels as in Figs. 12 and 13: draw(axes, row, column) -> mappable.
 
     One colour bar below each column, made from the last mappable of that column.
@@ -204,6 +217,6 @@ def field_table(figure, axes, rows, columns, draw):
             axes[r, c].set(xticks=[], yticks=[], aspect="equal")
             for side in axes[r, c].spines.values():
                 side.set(linewidth=0.4, color=style.GREY)
-        colour_bar(figure, mappable, axes[:, c], style.NAMES.get(column, column), location="bottom")
+        colour_bar(figure, mappable, axes[:, c], names.get(column, column), location="bottom")
     for r, row in enumerate(rows):
         axes[r, 0].set_ylabel(row, labelpad=2)

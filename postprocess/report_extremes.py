@@ -1,7 +1,8 @@
+#!/usr/bin/python3
 """The stability maps of the report, from DIR/stability/<case>.json as `verify stability` writes it.
 
 Each map is a grid of cells coloured by class; the title of a cell says why and holds the command that repeats it. Black bars: the edge of
-stability found by bisection; white bars: the theoretical limit. The legend names what the map holds and nothing else.
+stability, refined by bisection where the map asks for it; white triangles: the theoretical limit. The legend names what the map holds and nothing else.
 
     postprocess/report_extremes.py RESULTS_DIR CASE N FILE.svg      the N-th map of the case (from 1), by itself
 """
@@ -24,10 +25,7 @@ CLASSES = {
 }
 CELL_WIDTH, CELL_HEIGHT, TOP = 74, 30, 44  # a cell is at least so wide
 LETTER = 6.2  # pixels of a letter of the font below, on average: enough to keep text inside the picture
-BARS = {
-    "edge": ("edge of stability", (("#000", 4),)),
-    "theory": ("theoretical limit", (("#000", 5), ("#fff", 2.5))),
-}
+MARKS = {"edge": "edge of stability", "theory": "theoretical limit"}
 
 
 def span_position(values, wanted):
@@ -52,14 +50,24 @@ def short_value(value, most=9):
         return words
 
 
-def strokes(x, y, kind):
-    """The mark of an edge or of a theoretical limit."""
-    return "".join(f'<path d="M{x:.1f} {y}v{CELL_HEIGHT - 4}" stroke="{colour}" stroke-width="{width}"/>' for colour, width in BARS[kind][1])
+def reason(cell):
+    """Why a cell has its class; of a run that stopped, from its trouble on and without the command, which stands beside it."""
+    why = cell["why"]
+    for sign in ("numerical trouble", "[error]"):
+        why = why[max(0, why.find(sign)) :]
+    return why.split("The record keeps what came before")[0].strip().rstrip(";")
+
+
+def mark(x, y, kind):
+    """An edge is a bar over the height of a row, a theoretical limit a white triangle at its top: they often lie side by side."""
+    if kind == "edge":
+        return f'<path d="M{x:.1f} {y}v{CELL_HEIGHT - 4}" stroke="#000" stroke-width="4"/>'
+    return f'<path d="M{x - 6:.1f} {y - 2}h12l-6 10z" fill="#fff" stroke="#000" stroke-width="1.2"/>'
 
 
 def bar(values, row, wanted, kind, left, cell_width):
     at = span_position(values, wanted) if wanted is not None else None
-    return "" if at is None else strokes(left + at * cell_width, TOP + row * CELL_HEIGHT + 2, kind)
+    return "" if at is None else mark(left + at * cell_width, TOP + row * CELL_HEIGHT + 2, kind)
 
 
 def text(x, y, words, anchor="start"):
@@ -73,13 +81,14 @@ def legend(stability_map, bars, y):
     for name in [name for name in CLASSES if name in present]:
         parts.append(f'<rect x="{x}" y="{y}" width="16" height="16" rx="3" fill="{CLASSES[name]}"/>' + text(x + 21, y + 12, name))
         x += 36 + LETTER * len(name)
-    for kind in [kind for kind in BARS if kind in bars]:
-        parts.append(f'<g transform="translate({x + 4:.1f} {y}) scale(1 .6)">{strokes(0, 0, kind)}</g>' + text(x + 14, y + 12, BARS[kind][0]))
-        x += 28 + LETTER * len(BARS[kind][0])
+    for kind in [kind for kind in MARKS if kind in bars]:
+        parts.append(f'<g transform="translate({x + 4:.1f} {y}) scale(1 .6)">{mark(0, 0, kind)}</g>' + text(x + 14, y + 12, MARKS[kind]))
+        x += 28 + LETTER * len(MARKS[kind])
     return "".join(parts), x
 
 
-def picture(stability_map):
+def picture(stability_map, commands_too=True):
+    """SVG; a figure by itself leaves the commands out, for they name the folder of one campaign."""
     xs, ys = stability_map["x"]["values"], stability_map["y"]["values"] or [""]
     x_label, y_label = f'{stability_map["x"]["label"]} →', f'{stability_map["y"]["label"]} ↓' if stability_map["y"]["values"] else ""
     left = 24 + LETTER * max(len(str(words)) for words in (*map(short_value, ys), y_label))
@@ -87,11 +96,11 @@ def picture(stability_map):
     parts, bars = [], {}
     for cell in stability_map["cells"]:
         x, y = left + cell["column"] * wide, TOP + cell["row"] * CELL_HEIGHT
-        title = escape(f"{cell['class']}: {cell['why']}\n{cell['repeat']}")
+        title = escape(f"{cell['class']}: {reason(cell)}" + (f"\n{cell['repeat']}" if commands_too else ""))
         colour = CLASSES.get(cell["class"], "#999")
         parts.append(f'<rect x="{x + 1:.1f}" y="{y + 1}" width="{wide - 2:.1f}" height="{CELL_HEIGHT - 2}" rx="3" fill="{colour}"><title>{title}</title></rect>')
     for edge in stability_map["edges"]:
-        for kind in BARS:
+        for kind in MARKS:
             drawn = bar(xs, edge["row"], edge.get(kind), kind, left, wide)
             bars.update({kind: True} if drawn else {})
             parts.append(drawn)
@@ -119,7 +128,7 @@ def edges(stability_map):
 
 def commands(stability_map):
     lines = "".join(
-        f"<tr><td>{escape(str(c['x']))}</td><td>{escape(str(c['y']))}</td><td>{escape(c['class'])}</td><td>{escape(c['why'])}</td><td class='command'><code>{escape(c['repeat'])}</code></td></tr>"
+        f"<tr><td>{escape(str(c['x']))}</td><td>{escape(str(c['y']))}</td><td>{escape(c['class'])}</td><td>{escape(reason(c))}</td><td class='command'><code>{escape(c['repeat'])}</code></td></tr>"
         for c in stability_map["cells"]
     )
     head = "".join(f"<th>{escape(name)}</th>" for name in (stability_map["x"]["label"], stability_map["y"]["label"] or "", "class", "why", "repeat with"))
@@ -149,4 +158,4 @@ if __name__ == "__main__":
     if len(sys.argv) != 5:
         sys.exit("usage: report_extremes.py RESULTS_DIR CASE N FILE.svg")
     made = json.loads((Path(sys.argv[1]) / "stability" / f"{sys.argv[2]}.json").read_text())
-    Path(sys.argv[4]).write_text(standalone(picture(made["maps"][int(sys.argv[3]) - 1])))
+    Path(sys.argv[4]).write_text(standalone(picture(made["maps"][int(sys.argv[3]) - 1], commands_too=False)))

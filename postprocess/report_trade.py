@@ -1,3 +1,4 @@
+#!/usr/bin/python3
 """The work-precision pages of the report, from DIR/tradeoff/<case>.json as `verify tradeoff` writes it.
 
 One plot per quantity and norm, chosen with a menu: error against CPU seconds, one colour per family, what is dominated pale, the Pareto

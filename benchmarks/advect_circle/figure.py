@@ -40,6 +40,10 @@ def figure1(results):
     for one in axes.ravel():
         one.set(xlim=(0, domain["size"][0]), ylim=(0, domain["size"][1]), aspect="equal")
         one.set(xticks=[0, 0.5, 1], yticks=[0, 0.5, 1])
+    for one in axes[:, 0]:
+        one.set_ylabel("$y$")
+    for one in axes[1]:
+        one.set_xlabel("$x$")
     panels.lettered(axes)
     return figure, curves
 

@@ -46,7 +46,8 @@ def figure14(results):
         lines = one.contour(px, py, compression.closed(phi), [0.0], colors="black", linewidths=0.4)
         one.set(xlim=middle[0] + np.array([-reach, reach]), ylim=middle[1] + np.array([-reach, reach]))
         panels.plain(one)
-        panels.colour_bar(figure, drawn, one, style.NAMES[field], location="bottom")
+        panels.colour_bar(figure, drawn, one, compression.names_of(run)[field], location="bottom")
+    compression.scale_bar(axes[1], run, "right")
     figure.supxlabel(labels(run, 90), fontsize=6.5)
     for segment in lines.allsegs[0]:
         curves.append(panels.Curve("close-up at 10 %", "phi = 0", segment[:, 0], segment[:, 1]))
@@ -69,6 +70,7 @@ def figure15(results):
         one.set(aspect="equal", xticks=[], yticks=[])
         one.set_title(panel, fontsize=9)
     axes[0].legend(loc="lower right", fontsize=7)
+    compression.scale_bar(axes[2], run, "right")
     figure.supxlabel(labels(run), fontsize=6.5)
     return figure, curves
 

@@ -144,6 +144,10 @@ namespace verify
     fmt::print("{}: {} at most {:.3g}; margin {}, uncertainty of the reference {:.2g}\n", name,
                measure, wanted, margin, uncertainty);
     const double allowed = wanted / margin - uncertainty;
+    if (allowed > 0.)
+      fmt::print("so a measured error of at most {:.2g} meets it\n", allowed);
+    else
+      fmt::print("so the reference is too uncertain to say that anything meets it\n");
     const auto points = by_cost(trade, measure, "mpm_pf"),
                elements = by_cost(trade, measure, "fe_reference");
     const Json *best = cheapest(points, measure, allowed),

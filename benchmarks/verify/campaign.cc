@@ -258,6 +258,11 @@ namespace verify
 
   std::string repeat_case(const Places &places, const Case &c, const std::string &output)
   {
-    return shell({places.program, "run", c.name, "--suite", c.suite, "--output", output});
+    std::vector<std::string> words = {places.program};
+    words.insert(words.end(), places.asked.begin(), places.asked.end());
+    for (const auto &word : {std::string("run"), c.name, std::string("--suite"), c.suite,
+                             std::string("--output"), output})
+      words.push_back(word);
+    return shell(words);
   }
 } // namespace verify

@@ -44,6 +44,10 @@ namespace verify
       root = root_above(program.parent_path());
     Places places;
     places.program = argv0;
+    if (!cases.empty())
+      places.asked.insert(places.asked.end(), {"--cases", cases});
+    if (!solvers.empty())
+      places.asked.insert(places.asked.end(), {"--solvers", solvers});
     places.solvers = shortened(solvers.empty() ? program.parent_path() : fs::absolute(solvers));
     places.postprocess = root.empty() ? "postprocess" : shortened(fs::path(root) / "postprocess");
     places.cases = cases.empty() ? shortened(fs::path(root) / "benchmarks") : cases;

@@ -13,6 +13,9 @@ namespace verify
     std::string postprocess; // folder of report.py and figures.py
     std::string program;     // this program, as to be typed
 
+    /// --cases and --solvers as they were given, for a command that repeats something.
+    std::vector<std::string> asked;
+
     std::string solver(const std::string &name) const { return solvers + "/" + name; }
   };
 

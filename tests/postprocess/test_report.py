@@ -65,6 +65,11 @@ class Pictures(unittest.TestCase):
         for words in ("refused", "theoretical limit", "6000000000000"):
             self.assertNotIn(words, drawn)
 
+    def test_a_cell_says_its_trouble_and_not_the_whole_log(self):
+        why = "mpm_pf: bar\n  on: solid\nmpm_pf: numerical trouble in step 9: left the mesh\nThe record keeps what came before; repeat with:\n  mpm_pf"
+        self.assertEqual(report_extremes.reason({"why": why}), "numerical trouble in step 9: left the mesh")
+        self.assertEqual(report_extremes.reason({"why": "energy kept 0.97; "}), "energy kept 0.97")
+
     def test_no_plot_where_all_errors_are_zero(self):
         self.assertIn("exactly zero", report_trade.page({**TRADE, "rows": [{**ROW, "errors": {"tip, relative": 0.0}}]}))
         self.assertIn("<svg", report_trade.page({**TRADE, "rows": [{**ROW, "errors": {"tip, relative": 0.1}}]}))

@@ -213,7 +213,9 @@ TEST(Campaign, WritesVerdictsThatOthersCanRead)
                           "uncertainty", "status", "source"})
     EXPECT_TRUE(c.contains(key)) << key;
   EXPECT_EQ(c.at("status"), "fail");
-  EXPECT_NE(c.at("repeat").get<std::string>().find("run bar --suite quick"), std::string::npos);
+  EXPECT_NE(
+      c.at("repeat").get<std::string>().find("verify --cases elsewhere run bar --suite quick"),
+      std::string::npos);
   const auto &run = verdict.at("runs").at(0);
   for (const char *key : {"solver", "scene", "status", "wall_s", "cpu_s", "peak_rss_bytes", "steps",
                           "cells", "points", "build_type"})

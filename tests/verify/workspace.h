@@ -50,6 +50,7 @@ struct Workspace
     places.solvers = (root / "bin").string();
     places.postprocess = (root / "postprocess").string();
     places.program = "verify";
+    places.asked = {"--cases", "elsewhere"};
     return places;
   }
 
