@@ -79,14 +79,18 @@ namespace
   /// out, the more so the stronger the anisotropy; no more than the undercooling can freeze.
   double solid_area(const scene::Scene &scene, const Arms &arms, const double time)
   {
-    const double strength = std::pow(scene.growth->anisotropy / 0.05, 2);
+    const double strength = scene.growth->anisotropy / 0.05;
     double area = 0.;
     for (const std::size_t x : {0u, 1u})
       for (const std::size_t y : {2u, 3u})
       {
         const double a = arms.reach(x, time), b = arms.reach(y, time);
         const double grown = (std::min(a, b) - arms.seed) / arms.seed;
-        area += std::max(0.15, pi / 4. * std::exp(-grown * strength / 14.)) * a * b;
+        // Weak anisotropy makes arms late: at eps = 0.015 the crystal fills 0.66 and 0.54 of the
+        // square between two at 8 and 13 seed radii, 0.55 of the rectangle when pressed.
+        const double slimmed = grown / 14. * std::min(1., 0.78 * std::pow(strength, 3) * grown) *
+                               std::max(1., strength * strength);
+        area += std::max(0.15, pi / 4. * std::exp(-slimmed)) * a * b;
       }
     const double freezable = scene.heat ? std::min(1., scene.heat->undercooling) : 1.;
     return std::min(area, freezable * scene.domain.size.prod());
