@@ -75,11 +75,18 @@ namespace verify
       if (map.theory.empty())
         return json;
       Constants known = constants;
-      char *end = nullptr;
+      const auto add = [&known](const std::string &name, const std::string &text)
+      {
+        char *end = nullptr;
+        const double value = std::strtod(text.c_str(), &end);
+        if (*end == '\0')
+          known.emplace_back(name, value);
+      };
       const std::string y = map.y.values.empty() ? "0" : map.y.values[edge.row];
-      const double value = std::strtod(y.c_str(), &end);
-      if (*end == '\0')
-        known.emplace_back("y", value);
+      add("y", y);
+      int k = 0;
+      for (const auto &entry : entries_of(y))
+        add("y" + std::to_string(k++), entry);
       json["theory"] = evaluate(map.theory, known);
       return json;
     }

@@ -25,11 +25,8 @@ namespace verify
     std::string with_value(std::string setting, const std::string &value)
     {
       setting = with_word(setting, "{value}", value);
-      if (value.size() < 2 || value.front() != '[')
-        return setting;
-      std::stringstream entries(value.substr(1, value.size() - 2));
       int k = 0;
-      for (std::string entry; std::getline(entries, entry, ',');)
+      for (const auto &entry : entries_of(value))
         setting = with_word(setting, fmt::format("{{{}}}", k++), entry);
       return setting;
     }
@@ -42,6 +39,17 @@ namespace verify
         constants.emplace_back(name, number);
     }
   } // namespace
+
+  std::vector<std::string> entries_of(const std::string &value)
+  {
+    std::vector<std::string> entries;
+    if (value.size() < 2 || value.front() != '[')
+      return entries;
+    std::stringstream inside(value.substr(1, value.size() - 2));
+    for (std::string entry; std::getline(inside, entry, ',');)
+      entries.push_back(entry.substr(std::min(entry.size(), entry.find_first_not_of(' '))));
+    return entries;
+  }
 
   Cell Mapper::cell(const Map &map, const std::size_t number, const std::string &x,
                     const std::string &y) const

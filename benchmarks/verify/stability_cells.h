@@ -23,6 +23,9 @@ namespace verify
     }
   };
 
+  /// "[0.1, 2]" -> "0.1", "2"; nothing of a value that is no list.
+  std::vector<std::string> entries_of(const std::string &value);
+
   /// Makes, runs and classifies cells. Classes: accurate, bounded but wrong, growing energy,
   /// diverged, out of time, refused, not judged (its record lacks what the classes are read from).
   struct Mapper

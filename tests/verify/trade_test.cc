@@ -64,6 +64,11 @@ theory = "2*log(10)"
 [[map]]
 name = "exits"
 x = {key = "fake.exit", values = [2, 3]}
+[[map]]
+name = "lists"
+x = {key = "fake.growth", values = [0.0, 8.0]}
+y = {label = "two at a time", set = ["fake.error={0}", "fake.h={1}"], values = [[0.0, 0.25]]}
+theory = "4*log(10)*(y0 + 2*y1)"
 )toml";
 
   /// The trade above, measured once for all tests.
@@ -154,4 +159,6 @@ TEST(Stability, TellsTheClassesApartAndFindsTheEdge)
   EXPECT_GE(edge["unstable"].get<double>(), 4.60);
   EXPECT_LT(edge["unstable"].get<double>() - edge["stable"].get<double>(), 0.2);
   EXPECT_NEAR(edge["theory"].get<double>(), 4.605, 1e-3);
+  // a theory knows the entries of a list
+  EXPECT_NEAR(result["maps"][2]["edges"][0]["theory"].get<double>(), 4.605, 1e-3);
 }
