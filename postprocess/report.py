@@ -129,6 +129,24 @@ def images(folder):
     return [(p.stem, base64.b64encode(p.read_bytes()).decode()) for p in found]
 
 
+def not_passed(campaign, most=3):
+    """(case, which of its checks did not pass); their names where they are few."""
+    found = []
+    for case in campaign["cases"]:
+        lost = [check for check in case["checks"] if check["status"] != "pass"]
+        names = ", ".join(f'{check["name"]} ({check["status"]})' for check in lost[:most])
+        if lost:
+            found.append((case["case"], names + (f" and {len(lost) - most} more" if len(lost) > most else "")))
+    return found
+
+
+def left_over(folder, campaign):
+    """Cases that an earlier campaign left in the folder: name, checks passed, checks. They are no part of this one."""
+    known = {case["case"] for case in campaign["cases"]}
+    found = [json.loads(path.read_text()) for path in sorted(folder.glob("*/verdict.json")) if path.parent.name not in known]
+    return [(case["case"], sum(check["status"] == "pass" for check in case["checks"]), len(case["checks"])) for case in found]
+
+
 def heading(campaign):
     """What the report is of, and how it ended where anything was judged."""
     if not campaign["cases"]:
@@ -153,6 +171,8 @@ def write(folder):
     page = environment.get_template("report.html").render(
         campaign=campaign,
         heading=heading(campaign),
+        left_over=left_over(folder, campaign),
+        not_passed=not_passed(campaign),
         checks=checks,
         passed=sum(check["status"] == "pass" for check in checks),
         images=images(folder),

@@ -82,7 +82,7 @@ def legend(stability_map, bars, y):
         parts.append(f'<rect x="{x}" y="{y}" width="16" height="16" rx="3" fill="{CLASSES[name]}"/>' + text(x + 21, y + 12, name))
         x += 36 + LETTER * len(name)
     for kind in [kind for kind in MARKS if kind in bars]:
-        parts.append(f'<g transform="translate({x + 4:.1f} {y}) scale(1 .6)">{mark(0, 0, kind)}</g>' + text(x + 14, y + 12, MARKS[kind]))
+        parts.append(f'<g transform="translate({x + 4:.1f} {y + (4 if kind == "theory" else 0)}) scale(1 .6)">{mark(0, 0, kind)}</g>' + text(x + 14, y + 12, MARKS[kind]))
         x += 28 + LETTER * len(MARKS[kind])
     return "".join(parts), x
 
@@ -122,7 +122,7 @@ def edges(stability_map):
         rows.append(f"<tr><td>{escape(str(value))}</td><td class='n'>{edge['stable']:.4g}</td><td class='n'>{edge['unstable']:.4g}</td><td class='n'>{theory}</td></tr>")
     if not rows:
         return ""
-    head = f"<tr><th>{escape(stability_map['y']['label'])}</th><th class='n'>last stable</th><th class='n'>first unstable</th><th class='n'>theory</th></tr>"
+    head = f"<tr><th>{escape(stability_map['y']['label'])}</th><th class='n'>stable at</th><th class='n'>unstable at</th><th class='n'>theory</th></tr>"
     return f"<table class='narrow'>{head}{''.join(rows)}</table>"
 
 

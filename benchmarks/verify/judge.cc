@@ -227,8 +227,9 @@ namespace verify
     if (!take.of.empty())
       text += " " + take.of;
     if (!take.side.empty())
-      text +=
-          fmt::format(" {} at {}", take.side, take.y.empty() ? "x = " + take.x : "y = " + take.y);
+      text += " " + take.side;
+    if (!take.x.empty() || !take.y.empty())
+      text += take.y.empty() ? " at x = " + take.x : " at y = " + take.y;
     if (!take.abscissa.empty())
       text += " over " + take.abscissa;
     if (!take.between.empty())

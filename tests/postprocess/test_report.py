@@ -76,6 +76,19 @@ class Pictures(unittest.TestCase):
 
 
 class Page(unittest.TestCase):
+    def test_what_failed_is_named_case_by_case(self):
+        checks = [{"name": name, "status": "missing"} for name in "abcde"] + [{"name": "f", "status": "pass"}]
+        cases = [{"case": "bar", "checks": checks}, {"case": "disc", "checks": checks[5:]}]
+        self.assertEqual(report.not_passed({"cases": cases}, 2), [("bar", "a (missing), b (missing) and 3 more")])
+
+    def test_names_the_cases_of_earlier_campaigns(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            for case in ("old", "new"):
+                (folder / case).mkdir()
+                (folder / case / "verdict.json").write_text(json.dumps({"case": case, "checks": [{"status": "pass"}, {"status": "fail"}]}))
+            self.assertEqual(report.left_over(folder, {"cases": [{"case": "new"}]}), [("old", 1, 2)])
+
     def test_says_nothing_of_a_verdict_where_nothing_was_judged(self):
         with tempfile.TemporaryDirectory() as name:
             folder = pathlib.Path(name)
