@@ -58,7 +58,9 @@ namespace
     const auto add_common = [&](CLI::App *command)
     {
       command->add_option("-j", a.campaign.cores, "cores to use (default: all)");
-      command->add_option("--output", a.output, "folder of the results (default: results/<suite>)");
+      command->add_option(
+          "--output", a.output,
+          "folder of the results (default: results/<suite>, of a trade results/full)");
       command->add_flag("--fresh", a.campaign.fresh, "repeat runs that are finished");
     };
     auto *trade =
