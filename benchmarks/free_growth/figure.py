@@ -63,6 +63,7 @@ def figure17(results):
         axes.axhline(value, color=style.THEORY, lw=1.8, alpha=0.4, label=text)
     right.axhline(0, color=style.THEORY, lw=1.8, alpha=0.4)
     right.axhspan(-3, 3, color=style.GREY, alpha=0.12, lw=0)
+    right.text(0.97, 2.8, "3 %: asked at $dx = 0.4\\,W_0$", transform=right.get_yaxis_transform(), ha="right", va="top", fontsize=6)
     left.set(xlabel="tip position ($W_0$)", ylabel="$V d_0/D$", ylim=(0.0145, 0.0175))
     middle.set(xlabel="tip position ($W_0$)", ylabel=r"$\rho/d_0$", ylim=(5.5, 9.0))
     right.set(xlabel="$(dx/W_0)^2$", ylabel="deviation of $V$ (%)", xlim=(0, None))
