@@ -15,7 +15,8 @@ namespace medium
         return std::nullopt;
       const double line = (wall.position - mesh.lower[axis]) / mesh.spacing[axis];
       int last = before ? before->last : (inward > 0 ? 1 : mesh.nodes[axis] - 2);
-      while (inward * (last - line) < 0.5)
+      // Opposite walls pass the middle of their cells in the same step, whatever rounding says.
+      while (inward * (last - line) < 0.5 - 1e-9)
         last += inward;
       return Cut{last, inward * (last - line)};
     }

@@ -30,18 +30,22 @@ namespace solid
       long number(const int i, const int j) const { return static_cast<long>(j) * count[0] + i; }
     };
 
-    // The nearest cell that the contour crosses, or -1; the first of equals.
-    long nearest_interface(const Cells &cells, const std::array<int, 2> &from)
+    // The cells nearest to `from` that the contour crosses; several where they are equally near.
+    std::vector<long> nearest_interfaces(const Cells &cells, const std::array<int, 2> &from)
     {
       constexpr int reach = 3;
-      long found = -1;
-      int least = 2 * reach * reach + 1;
+      std::vector<long> found;
+      int least = 2 * reach * reach;
       for (int dj = -reach; dj <= reach; ++dj)
         for (int di = -reach; di <= reach; ++di)
-          if (const int far = di * di + dj * dj; far < least &&
-                                                 cells.exists(from[0] + di, from[1] + dj) &&
-                                                 cells.areas.interface(from[0] + di, from[1] + dj))
-            found = cells.number(from[0] + di, from[1] + dj), least = far;
+        {
+          const int far = di * di + dj * dj, i = from[0] + di, j = from[1] + dj;
+          if (far > least || !cells.exists(i, j) || !cells.areas.interface(i, j))
+            continue;
+          if (far < least)
+            found.clear();
+          least = far, found.push_back(cells.number(i, j));
+        }
       return found;
     }
 
@@ -104,10 +108,10 @@ namespace solid
         moved.push_back({cells.number(at[0], at[1]), debt.value});
         continue;
       }
-      const long nearest = nearest_interface(cells, at);
-      if (nearest >= 0)
-        moved.push_back({nearest, debt.value});
-      else
+      const std::vector<long> nearest = nearest_interfaces(cells, at);
+      for (const long cell : nearest) // equal shares keep what is symmetric so
+        moved.push_back({cell, debt.value / static_cast<double>(nearest.size())});
+      if (nearest.empty())
         gathered.push_back({gathering_place(cells, gathered, at), debt.value});
     }
     moved.insert(moved.end(), gathered.begin(), gathered.end());

@@ -27,7 +27,8 @@ namespace solid
   medium::CellValues merged(const medium::CellValues &, const medium::CellValues &);
 
   /// Debts of cells that the contour does not cross go to the nearest that it does, within three
-  /// cells; where there is none, debts gather in one cell for each eight cells.
+  /// cells, in equal shares to several that are equally near; where there is none, debts gather in
+  /// one cell for each eight cells.
   void hand_over(medium::CellValues &owed, const medium::CellAreas &,
                  const std::array<int, 2> &cells);
 

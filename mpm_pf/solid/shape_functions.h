@@ -76,11 +76,13 @@ namespace solid
   };
 
   /// The first inner row is between half a cell and one and a half from the line, so that the rows
-  /// it stands for are never far extrapolated.
+  /// they stand for are never far extrapolated. Half-way between two rows, where rounding would
+  /// choose, a line and its mirror image choose the same.
   inline Fold fold_at(const double position, const int side, const double lower, const double dx)
   {
-    const double s = (position - lower) / dx;
-    return {position, static_cast<int>(std::floor(s + 0.5)) + side, side};
+    const double s = (position - lower) / dx, half = 0.5 + 1e-9;
+    const double carrier = side > 0 ? std::floor(s + half) : std::ceil(s - half);
+    return {position, static_cast<int>(carrier) + side, side};
   }
 
   /// Tie the rows behind `fold` in place. `nearest`: row of the centre node, either the carrier or

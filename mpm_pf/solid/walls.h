@@ -8,13 +8,14 @@
 // time step.)
 //
 // What a held line lacks is the opening and closing of a gap. A node of the line touches material
-// if its mass, compared with that of the next row inside, is at least half of what material
-// that reaches to the wall would give:
-//   m_c/m_M >= (1/2) (M_c/M_M),   M = integral of the folded function over the inner side,
-// which is a gap of a third of a cell; sideways, at the rim of a contact, both masses fall alike.
-// Only such nodes are held: with grip in both directions ("a dendrite grows onto the wall"), with
-// slip across the wall only, and only against moving into it. A point that gets past a wall
-// nevertheless is put back onto it, and takes its velocity; that momentum counts in the reaction.
+// if its mass, compared with that of the next row inside, is nearly what material that reaches
+// to the wall would give:
+//   m_c/m_M >= 0.9 (M_c/M_M),   M = integral of the folded function over the inner side;
+// half of it would be met over a gap of a third of a cell. Sideways, at the rim of a contact, both
+// masses fall alike. Only such nodes are held: with grip in both directions ("a dendrite grows onto
+// the wall"), with slip across the wall only, and only against moving into it. A point that gets
+// past a wall nevertheless is put back onto it, and takes its velocity; that momentum counts in the
+// reaction.
 #pragma once
 
 #include "solid/body.h"

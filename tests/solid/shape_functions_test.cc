@@ -98,3 +98,16 @@ TEST(ShapeFunctions, ALineOnTheGridGivesTheInterpolatingSpline)
   EXPECT_NEAR(w.w[1], 1. - s, 1e-14); // N0 + 2 N-1
   EXPECT_NEAR(w.w[2], s, 1e-14);      // N1 - N-1
 }
+
+// Two walls that come from both sides fold the same rows in the same step, also where each is
+// half-way between two rows, however that is rounded: 32.4 is 90.5 cells of 0.8 from -40.
+TEST(Fold, OfALineAndOfItsMirrorImageAreMirrorImages)
+{
+  const double lower = -40., dx = 0.8;
+  for (const double y : {33.6, 33.2, 32.9, 32.4, 32.4 + 1e-14, 32.4 - 1e-14, 31.6, 0.4})
+  {
+    const solid::Fold top = solid::fold_at(y, -1, lower, dx);
+    const solid::Fold bottom = solid::fold_at(-y, 1, lower, dx);
+    EXPECT_EQ(top.master, 100 - bottom.master) << y;
+  }
+}
