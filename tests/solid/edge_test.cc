@@ -16,7 +16,8 @@ namespace
   double largest(const solid::Solid &solid, const std::string &name)
   {
     double value = 0.;
-    for (const double v : solid::snapshot(solid, {name}).fields.at(name))
+    const record::Snapshot snapshot = solid::snapshot(solid, {name}); // outlives the loop
+    for (const double v : snapshot.fields.at(name))
       value = std::max(value, std::abs(v));
     return value;
   }
