@@ -55,5 +55,8 @@ namespace scene
     double young_modulus = 0., poisson_ratio = 0., density = 0.;
     std::optional<double> yield_stress, viscosity;
     Place place;
+
+    /// Deforms at nearly constant volume, so that full integration would be too stiff.
+    bool locks() const { return yield_stress || poisson_ratio > 0.45; }
   };
 } // namespace scene

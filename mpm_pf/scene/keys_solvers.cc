@@ -30,8 +30,8 @@ namespace scene
           .add("anti_locking", &Mpm::anti_locking, any(),
                "Average the volumetric strain rate over each cell and relax point pressures to "
                "the cell mean.",
-               "absent: on for solids with a yield stress, whose flow is isochoric and locks "
-               "without it")
+               "absent: on for solids with a yield stress or a Poisson's ratio above 0.45, which "
+               "deform at nearly constant volume and lock without it")
           .add("pressure_relaxation", &Mpm::pressure_relaxation, between(0., 1.),
                "Part of the way to the cell mean that a point's pressure goes per step.",
                "without it cell averaging leaves pressures that never meet; 0.01 to 1 give the "

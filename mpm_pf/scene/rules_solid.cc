@@ -253,7 +253,9 @@ namespace scene
                       "\", which carries its own velocity gradient",
                   "stress_update = \"first\" with transfer = \"flip\" or \"xpic2\"",
                   "remove it, or set the transfer");
-    const bool averaged = mpm.anti_locking.value_or(in.written("solid", "yield_stress"));
+    const auto &solid = in.scene().solid;
+    const bool locks = in.written("solid", "yield_stress") || (solid && solid->locks());
+    const bool averaged = mpm.anti_locking.value_or(locks);
     if (in.written("mpm", "pressure_relaxation") && !averaged)
       in.complain(in.at("mpm", "pressure_relaxation"),
                   "pressure_relaxation has no use without anti-locking, which is off here",

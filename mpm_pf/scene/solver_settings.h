@@ -43,7 +43,7 @@ namespace scene
     Transfer transfer = Transfer::tpic;
     double flip_fraction = 0.99; // of transfer = flip
     StressUpdate stress_update = StressUpdate::last;
-    std::optional<bool> anti_locking;      // empty: on for plastic solids
+    std::optional<bool> anti_locking;      // empty: on for solids that lock
     double pressure_relaxation = 0.1;      // towards the cell mean, per step
     double step_fraction = 0.4;            // of dx/(c_p + |v|)
     std::optional<double> mach;            // wanted V/c_p: density is scaled to it

@@ -27,7 +27,7 @@ namespace solid
       scheme.flip_fraction = mpm.transfer == Transfer::pic ? 0. : mpm.flip_fraction;
       for (int k = 0; k < 2; ++k)
         scheme.half_size[k] = 0.5 / mpm.points_per_cell[k];
-      scheme.anti_locking = mpm.anti_locking.value_or(scene.solid->yield_stress.has_value());
+      scheme.anti_locking = mpm.anti_locking.value_or(scene.solid->locks());
       scheme.pressure_relaxation = mpm.pressure_relaxation;
       scheme.step_fraction = mpm.step_fraction;
       return scheme;

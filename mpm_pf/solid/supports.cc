@@ -11,6 +11,10 @@ namespace solid
   {
     // Cells beyond the ends of a line in which shape functions are folded.
     constexpr std::array<double, 2> folded{1., 1.};
+    // A node is driven from this share of its mass on: it may lie 0.6 cells outside the box, so
+    // that its material is clamped at the side of the box in the mean of all ways that the mesh may
+    // lie, to half a cell. From a half on it would be clamped up to a cell and a half inside.
+    constexpr double driven_share = 0.11;
 
     void place_line(const std::vector<Support> &supports, const Tracers &tracers, HeldLine &line,
                     const int index, const double t)
@@ -173,7 +177,7 @@ namespace solid
       project(region, support.motion, scheme, supports.folds, points, fraction, grid, t, dt);
       const std::array<bool, 2> held{support.motion.holds(0), support.motion.holds(1)};
       for (std::size_t n = 0; n < region.sums.size(); ++n)
-        if (const auto &[mass, px, py] = region.sums[n]; mass > 0.5 * grid.mass[n])
+        if (const auto &[mass, px, py] = region.sums[n]; mass > driven_share * grid.mass[n])
           give(supports, &support, grid, static_cast<std::ptrdiff_t>(n), held,
                {px / mass, py / mass}, book);
     }

@@ -9,7 +9,7 @@
 // the cells with the grip, so that the gauge length is exact. Any other region, and one with
 // material around a corner of its box, is *driven*: the displacement increments of its points are
 // projected on the nodes with their masses and gradients, which is exact for affine motions, and
-// the nodes most of whose mass is driven take them.
+// the nodes of which a ninth of the mass is driven take them.
 //
 // Every prescribed velocity is an increment of displacement over dt, so prescribed positions never
 // drift. The reaction is the momentum which the nodes are given beyond Eq. (4), over dt.

@@ -53,3 +53,22 @@ TEST(Grip, TakesTheWorkOfItsOwnMotion)
   EXPECT_GT(value("kinetic_energy"), 0.04);
   EXPECT_LT(std::abs(value("energy_balance")), 0.02 * value("external_work"));
 }
+
+// A bar eight cells long between a held edge and a box that pulls but leaves the other direction
+// free: the clamp is at the side of the box to two thirds of a cell, however the cells lie.
+TEST(Driven, BoxClampsAtItsSide)
+{
+  for (const double shift : {0., 0.25, 0.5, 0.75})
+  {
+    const double x = 1. + 0.25 * shift;
+    scene::Scene scene = small::rectangle({x, 1.}, {3., 1.}, {5., 3.}, {20, 12});
+    small::hold(scene, "left", scene::Edge::left, "0", std::nullopt);
+    small::hold(scene, "box", scene::Box{{x + 2., 0.}, {5., 3.}}, "2e-3*smooth(t, 3)",
+                std::nullopt);
+    const solid::Owner bar = solid::make_solid(scene);
+    solid::advance(*bar, 3.2);
+    solid::advance(*bar, 0.5);
+    const double length = 1000. / 0.91 * 2e-3 / solid::reaction(*bar, "box").force[0];
+    EXPECT_NEAR(length, 2., 0.67 * 0.25) << shift;
+  }
+}
