@@ -55,22 +55,15 @@ namespace fe
       return bodies;
     }
 
-    // Ends of segments and corners of boxes that something holds or loads.
-    std::vector<Point> loaded_ends(const scene::Scene &scene)
+    // What is held or loaded.
+    std::vector<scene::Where> parts_of(const scene::Scene &scene)
     {
-      std::vector<Point> ends;
-      const auto add = [&ends](const scene::Where &where)
-      {
-        if (const auto *segment = std::get_if<scene::Segment>(&where))
-          ends.insert(ends.end(), {segment->a, segment->b});
-        else if (const auto *box = std::get_if<scene::Box>(&where))
-          ends.insert(ends.end(), {box->lower, box->upper});
-      };
+      std::vector<scene::Where> parts;
       for (const scene::Support &support : scene.supports)
-        add(support.where);
+        parts.push_back(support.where);
       for (const scene::Traction &traction : scene.tractions)
-        add(traction.where);
-      return ends;
+        parts.push_back(traction.where);
+      return parts;
     }
 
     // Pieces that touch in an edge are one; a piece without support has no equilibrium.
@@ -149,12 +142,13 @@ namespace fe
     const scene::Box box = cut_box(scene);
     const Point size = box.upper - box.lower;
     const double grading = scene.fe ? scene.fe->grading : 0.;
-    const std::vector<Point> ends = loaded_ends(scene);
+    const std::vector<scene::Where> parts = parts_of(scene);
     QuadMesh mesh =
         only_rectangles(scene.bodies)
-            ? mesh_rectangles(cut(scene.bodies, scene.domain), cells, grading, scene.supports, ends)
+            ? mesh_rectangles(cut(scene.bodies, scene.domain), cells, grading, scene.supports,
+                              parts)
             : mesh_outline(scene.bodies, scene.domain, {size[0] / cells[0], size[1] / cells[1]},
-                           ends, scene.supports);
+                           parts, scene.supports);
     check_pieces(scene, mesh);
     return mesh;
   }

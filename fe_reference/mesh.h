@@ -41,8 +41,8 @@ namespace fe
   /// end.
   QuadMesh mesh_rectangles(const std::vector<scene::Body> &, const std::array<int, 2> &cells,
                            double grading, const std::vector<scene::Support> &,
-                           const std::vector<Point> &ends = {});
+                           const std::vector<scene::Where> &parts = {});
   QuadMesh mesh_outline(const std::vector<scene::Body> &, const scene::Domain &,
-                        const Point &spacing, const std::vector<Point> &ends = {},
+                        const Point &spacing, const std::vector<scene::Where> &parts = {},
                         const std::vector<scene::Support> &held = {});
 } // namespace fe

@@ -56,21 +56,6 @@ namespace fe
       return gmsh::model::geo::addCurveLoop(lines);
     }
 
-    // A vertex at p where p lies on a side of the outline, unless one is there already.
-    void insert(scene::Polyline &outline, const Point &p, const double tolerance)
-    {
-      for (std::size_t k = 0; k < outline.size(); ++k)
-      {
-        const Point &a = outline[k], along = outline[(k + 1) % outline.size()] - a;
-        const double length = along.norm(), s = (p - a).dot(along) / length;
-        const double aside = std::abs(along[0] * (p - a)[1] - along[1] * (p - a)[0]) / length;
-        if (aside > 1e-3 * tolerance || s < tolerance || s > length - tolerance)
-          continue;
-        outline.insert(outline.begin() + static_cast<std::ptrdiff_t>(k) + 1, p);
-        return;
-      }
-    }
-
     bool inside(const scene::Polyline &outline, const Point &p)
     {
       bool in = false;
@@ -179,7 +164,7 @@ namespace fe
   } // namespace
 
   QuadMesh mesh_outline(const std::vector<scene::Body> &bodies, const scene::Domain &domain,
-                        const Point &spacing, const std::vector<Point> &ends,
+                        const Point &spacing, const std::vector<scene::Where> &parts,
                         const std::vector<scene::Support> &held)
   {
     const double size = std::min(spacing[0], spacing[1]);
@@ -188,9 +173,7 @@ namespace fe
     for (scene::Polyline &outline : outlines)
     {
       outline = simplify_outline(outline, 0.02 * size, 0.5 * size);
-      for (const Point &end : ends)
-        insert(outline, end, 1e-3 * size);
-      outline = with_support_ends(outline, held, 0.05 * size);
+      outline = with_ends(outline, parts, 0.05 * size);
     }
     const Session session;
     gmsh::model::add("outline");

@@ -55,6 +55,16 @@ namespace fe
       return coordinates;
     }
 
+    // Where a segment or box begins and ends along one axis; of an edge the bodies say it.
+    std::vector<double> extent(const scene::Where &part, const int d)
+    {
+      if (const auto *segment = std::get_if<scene::Segment>(&part))
+        return {segment->a[d], segment->b[d]};
+      if (const auto *inside = std::get_if<scene::Box>(&part))
+        return {inside->lower[d], inside->upper[d]};
+      return {};
+    }
+
     // s in [0, 1] -> [0, 1], crowded towards the ends asked for.
     double graded(const double s, const bool lower, const bool upper, const double power)
     {
@@ -118,7 +128,7 @@ namespace fe
 
   QuadMesh mesh_rectangles(const std::vector<scene::Body> &bodies, const std::array<int, 2> &cells,
                            const double grading, const std::vector<scene::Support> &supports,
-                           const std::vector<Point> &ends)
+                           const std::vector<scene::Where> &parts)
   {
     const scene::Box box = scene::bounding_box(bodies);
     const double tolerance = 1e-9 * (box.upper - box.lower).norm();
@@ -135,10 +145,10 @@ namespace fe
       }
       const double spacing = (box.upper[d] - box.lower[d]) / cells[d];
       // An end closer to another line than a thousandth of a cell would only make a sliver.
-      for (const Point &end : ends)
-        if (end[d] > box.lower[d] && end[d] < box.upper[d] &&
-            !near_any(edges, end[d], 1e-3 * spacing))
-          edges.push_back(end[d]);
+      for (const scene::Where &part : parts)
+        for (const double x : extent(part, d))
+          if (x > box.lower[d] && x < box.upper[d] && !near_any(edges, x, 1e-3 * spacing))
+            edges.push_back(x);
       lines[d] = grid_lines(distinct(edges, tolerance), spacing, corners[d], grading, tolerance);
     }
     return keep_inside(bodies, lines);

@@ -34,21 +34,21 @@ namespace fe
       return s >= 0. && s <= 1. && t >= 0. && t <= 1.;
     }
 
-    // Parts of the chord from p to q at which a support begins or ends.
+    // Parts of the chord from p to q at which something held or loaded begins or ends.
     std::vector<double> ends_on(const Point &p, const Point &q,
-                                const std::vector<scene::Support> &supports)
+                                const std::vector<scene::Where> &parts)
     {
       std::vector<double> ends;
       const Point chord = q - p;
       const double length2 = chord.squaredNorm();
-      for (const scene::Support &support : supports)
-        if (const auto *segment = std::get_if<scene::Segment>(&support.where))
+      for (const scene::Where &part : parts)
+        if (const auto *segment = std::get_if<scene::Segment>(&part))
         {
           for (const Point &end : {segment->a, segment->b})
             if (std::abs(cross(end - p, chord)) < 1e-9 * length2)
               ends.push_back((end - p).dot(chord) / length2);
         }
-        else if (const auto *box = std::get_if<scene::Box>(&support.where))
+        else if (const auto *box = std::get_if<scene::Box>(&part))
         {
           double s = 0., t = 0.;
           for (const Piece &side : sides_of(*box))
@@ -79,15 +79,15 @@ namespace fe
     }
   } // namespace
 
-  Polyline with_support_ends(const Polyline &outline, const std::vector<scene::Support> &supports,
-                             const double gap)
+  Polyline with_ends(const Polyline &outline, const std::vector<scene::Where> &parts,
+                     const double gap)
   {
     Polyline result;
     for (std::size_t k = 0; k < outline.size(); ++k)
     {
       const Point p = outline[k], q = outline[(k + 1) % outline.size()];
       result.push_back(p);
-      for (const double t : ends_on(p, q, supports))
+      for (const double t : ends_on(p, q, parts))
       {
         const Point end = p + t * (q - p);
         if (t > 0. && t < 1. && (end - result.back()).norm() > gap && (end - q).norm() > gap)
