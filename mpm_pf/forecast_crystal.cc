@@ -22,9 +22,10 @@ namespace
     const bool single = world.scene->growth->precision == scene::Precision::single_precision;
     const double heat_alone = (single ? 0.6 : 1.1) * triad;
     const double active_now = count(medium::Activity::active);
-    // What an active node costs at most (benchmarks/kernels): of a small seed, whose tiles are few,
-    // the rest of the time is spent once a step and does not grow with the crystal.
-    const double dearest = (single ? 8. : 16.) * (world.orientation ? 1.5 : 1.) * triad;
+    // What an active node costs at most, half as much again as benchmarks/kernels measures (9
+    // triads, float 4.5): of a small seed, whose tiles are few, the rest of the time is spent once
+    // a step and does not grow with the crystal.
+    const double dearest = 1.5 * (single ? 4.5 : 9.) * (world.orientation ? 1.5 : 1.) * triad;
     const double of_active =
         std::max(0., seconds - heat_alone * count(medium::Activity::heat_only));
     const double each = std::clamp(of_active / std::max(1., active_now), 2. * heat_alone, dearest);
