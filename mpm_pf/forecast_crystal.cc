@@ -9,6 +9,40 @@
 
 namespace
 {
+  /// A square of `cells` cells of the scene's size, nothing in it.
+  scene::Scene square_of(const scene::Scene &asked, const int cells)
+  {
+    scene::Scene square;
+    const double cell = asked.domain.spacing()[0];
+    square.domain.size = {cells * cell, cells * cell};
+    square.domain.cells = {cells, cells};
+    square.clock.end = 1.;
+    return square;
+  }
+
+  /// CPU seconds of a step of both equations for a node near the front: a crystal in a square,
+  /// timed. Of the scene itself as it stands, a small seed, most of the time is spent once a step.
+  double active_node_seconds(const World &world)
+  {
+    constexpr int side = 128; // cells
+    const scene::Scene &asked = *world.scene;
+    scene::Scene square = square_of(asked, side);
+    scene::Body seed;
+    seed.name = "seed";
+    seed.shape = scene::Disc{0.5 * square.domain.size, 0.3 * square.domain.size[0]};
+    square.bodies.push_back(seed);
+    square.phase_field = asked.phase_field;
+    square.growth = asked.growth;
+    square.growth->tiles = false;
+    square.heat = asked.heat;
+    if (square.heat)
+      square.heat->initial.reset();
+    square.noise = asked.noise;
+    World grown = build_world(square, 1);
+    const double turned = world.orientation ? 1.4 : 1.; // angle field of benchmarks/kernels
+    return turned * seconds_per_growth_step(grown) / static_cast<double>(grown.mesh->node_count());
+  }
+
   void foretell_growth(World &world, const GrowthLoad &load, const double triad, Forecast &forecast)
   {
     const double steps = load.end / growth_step_taken(world);
@@ -21,21 +55,17 @@ namespace
     // Heat alone is bound by memory: one triad a node (benchmarks/kernels), half in float.
     const bool single = world.scene->growth->precision == scene::Precision::single_precision;
     const double heat_alone = (single ? 0.6 : 1.1) * triad;
-    const double active_now = count(medium::Activity::active);
-    // What an active node costs at most, half as much again as benchmarks/kernels measures (9
-    // triads, float 4.5): of a small seed, whose tiles are few, the rest of the time is spent once
-    // a step and does not grow with the crystal.
-    const double dearest = 1.5 * (single ? 4.5 : 9.) * (world.orientation ? 1.5 : 1.) * triad;
-    const double of_active =
-        std::max(0., seconds - heat_alone * count(medium::Activity::heat_only));
-    const double each = std::clamp(of_active / std::max(1., active_now), 2. * heat_alone, dearest);
-    const double every_step = std::max(0., of_active - each * active_now);
+    const double each = active_node_seconds(world);
+    const double every_step =
+        std::max(0., seconds - heat_alone * count(medium::Activity::heat_only) -
+                         each * count(medium::Activity::active));
     forecast.counts["growth steps"] = steps;
     forecast.counts["active nodes, mean"] = load.active_nodes;
     forecast.counts["heated nodes, mean"] = load.heated_nodes;
     forecast.seconds["growth"] =
         steps * (every_step + each * load.active_nodes + heat_alone * load.heated_nodes);
   }
+
   /// Points that will be sown, and the gradients that the melt's fields carry once they move.
   void foretell_pressed_memory(const World &world, const GrowthLoad &load, const double points,
                                Forecast &forecast)
@@ -66,10 +96,8 @@ namespace
   double point_step_seconds(const scene::Scene &asked)
   {
     constexpr int side = 32; // cells
-    scene::Scene block;
+    scene::Scene block = square_of(asked, side + 8);
     const double cell = asked.domain.spacing()[0];
-    block.domain.size = {(side + 8) * cell, (side + 8) * cell};
-    block.domain.cells = {side + 8, side + 8};
     scene::Body body;
     body.name = "block";
     body.shape = scene::Rectangle{{4. * cell, 4. * cell}, {side * cell, side * cell}};
@@ -78,7 +106,6 @@ namespace
     block.mpm = asked.mpm;
     if (block.mpm)
       block.mpm->mach.reset();
-    block.clock.end = 1.;
     const auto points = solid::make_solid(block);
     const double step = solid::stable_step(*points);
     return seconds_of([&] { solid::advance(*points, step); }, probe_budget_s, probe_calls) /
