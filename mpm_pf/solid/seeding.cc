@@ -1,5 +1,8 @@
 #include "solid/seeding.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <string>
 
 #include "scene/expression.h"
@@ -64,10 +67,17 @@ namespace solid
       return own;
     }
 
+    // What of a lattice cell lies inside the bodies.
     struct Share
     {
       Point centre;
-      double fraction;
+      double fraction = 0.;
+      void take(const Share &other)
+      {
+        const double sum = fraction + other.fraction;
+        centre = (fraction * centre + other.fraction * other.centre) / sum;
+        fraction = sum;
+      }
     };
 
     Share inside(const std::vector<scene::Body> &bodies, const Lattice &lattice, const int i,
@@ -79,49 +89,83 @@ namespace solid
       const double reach = 0.5 * lattice.spacing.norm() * (1. + 1e-9);
       if (distance > reach || distance < -reach)
         return {centre, distance > 0. ? 1. : 0.};
+      // Of a part that the outline crosses, what lies inside: exact for sides along the lattice.
+      const Point part = lattice.spacing / samples;
+      const double width = std::sqrt(part.prod());
       Point sum = Point::Zero();
-      int count = 0;
+      double weight = 0.;
       for (int b = 0; b < samples; ++b)
         for (int a = 0; a < samples; ++a)
         {
           const Point x = centre + Point(lattice.spacing[0] * ((a + 0.5) / samples - 0.5),
                                          lattice.spacing[1] * ((b + 0.5) / samples - 0.5));
-          if (scene::signed_distance(bodies, x) > 0.)
-            sum += x, ++count;
+          const double w = std::clamp(0.5 + scene::signed_distance(bodies, x) / width, 0., 1.);
+          sum += w * x, weight += w;
         }
-      return {count ? Point(sum / count) : centre, count / double(samples * samples)};
+      return {weight > 0. ? Point(sum / weight) : centre, weight / (samples * samples)};
+    }
+
+    // The lattice cells that the bodies reach.
+    struct Patch
+    {
+      std::array<int, 2> first, count;
+      std::vector<Share> shares;
+      Share *at(const int i, const int j)
+      {
+        const bool has = i >= 0 && i < count[0] && j >= 0 && j < count[1];
+        return has ? &shares[static_cast<std::size_t>(j) * count[0] + i] : nullptr;
+      }
+    };
+
+    Patch patch_of(const std::vector<scene::Body> &bodies, const Lattice &lattice)
+    {
+      Patch patch;
+      const scene::Box box = scene::bounding_box(bodies);
+      for (int k = 0; k < 2; ++k)
+      {
+        const auto index = [&](const double x)
+        { return static_cast<int>(std::floor((x - lattice.lower[k]) / lattice.spacing[k])); };
+        patch.first[k] = std::max(0, index(box.lower[k]) - 1);
+        patch.count[k] =
+            std::min(lattice.count[k] - 1, index(box.upper[k]) + 1) - patch.first[k] + 1;
+      }
+      for (int j = 0; j < patch.count[1]; ++j)
+        for (int i = 0; i < patch.count[0]; ++i)
+          patch.shares.push_back(inside(bodies, lattice, patch.first[0] + i, patch.first[1] + j));
+      return patch;
+    }
+
+    // A point of hardly any mass would be as large as others for the grid. What a sliver holds goes
+    // to the neighbour next to it, with its centre of mass: neither mass nor moment is moved.
+    void join_slivers(Patch &patch)
+    {
+      constexpr double least = 0.2;
+      for (int j = 0; j < patch.count[1]; ++j)
+        for (int i = 0; i < patch.count[0]; ++i)
+        {
+          Share &sliver = *patch.at(i, j);
+          if (sliver.fraction <= 0. || sliver.fraction >= least)
+            continue;
+          Share *nearest = nullptr;
+          double least_distance = std::numeric_limits<double>::infinity();
+          for (int b = -1; b <= 1; ++b)
+            for (int a = -1; a <= 1; ++a)
+              if (Share *other = patch.at(i + a, j + b); other && other->fraction >= least)
+                if (const double d = (other->centre - sliver.centre).norm(); d < least_distance)
+                  nearest = other, least_distance = d;
+          if (nearest)
+            nearest->take(sliver), sliver.fraction = 0.; // else thin all over: it stays
+        }
     }
 
     void fill(Points &points, const Fraction &fraction, const std::vector<scene::Body> &bodies,
               const Lattice &lattice, const double density)
     {
-      constexpr double least = 0.2;
-      std::vector<Share> cut;
-      double kept = 0., dropped = 0.;
-      const scene::Box box = scene::bounding_box(bodies);
-      std::array<int, 2> first, last;
-      for (int k = 0; k < 2; ++k)
-      {
-        const auto index = [&](const double x)
-        { return static_cast<int>(std::floor((x - lattice.lower[k]) / lattice.spacing[k])); };
-        first[k] = std::max(0, index(box.lower[k]) - 1);
-        last[k] = std::min(lattice.count[k] - 1, index(box.upper[k]) + 1);
-      }
-      for (int j = first[1]; j <= last[1]; ++j)
-        for (int i = first[0]; i <= last[0]; ++i)
-        {
-          const Share share = inside(bodies, lattice, i, j);
-          if (share.fraction >= 1.)
-            add_point(points, fraction, share.centre, density * lattice.area());
-          else if (share.fraction >= least)
-            cut.push_back(share), kept += share.fraction;
-          else
-            dropped += share.fraction;
-        }
-      const double scale = kept > 0. ? 1. + dropped / kept : 1.;
-      for (const Share &share : cut)
-        add_point(points, fraction, share.centre,
-                  density * lattice.area() * share.fraction * scale);
+      Patch patch = patch_of(bodies, lattice);
+      join_slivers(patch);
+      for (const Share &share : patch.shares)
+        if (share.fraction > 0.)
+          add_point(points, fraction, share.centre, density * lattice.area() * share.fraction);
     }
 
     void tile(Points &points, const Fraction &fraction, const Lattice &lattice,
