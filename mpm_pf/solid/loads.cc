@@ -89,14 +89,14 @@ namespace solid
     if (!bx.depends_on_position() && !by.depends_on_position())
     {
       const scene::Argument at{Point::Zero(), Point::Zero(), t};
-      acceleration.uniform = {bx(at), by(at)};
+      acceleration.uniform = {loads.true_mass * bx(at), loads.true_mass * by(at)};
       return;
     }
     acceleration.x.resize(points.size()), acceleration.y.resize(points.size());
     for (std::size_t p = 0; p < points.active; ++p)
     {
       const scene::Argument at{fraction.initial(points, p), {points.x[p], points.y[p]}, t};
-      acceleration.x[p] = bx(at), acceleration.y[p] = by(at);
+      acceleration.x[p] = loads.true_mass * bx(at), acceleration.y[p] = loads.true_mass * by(at);
     }
   }
 

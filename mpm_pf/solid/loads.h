@@ -33,7 +33,8 @@ namespace solid
     std::vector<Push> pushes; // of this step, for their work
     EdgeShares shares;
     std::optional<std::array<scene::Function, 2>> body_force;
-    Acceleration acceleration;
+    Acceleration acceleration; // of the masses as used
+    double true_mass = 1.;     // over the mass as used: a body of scaled density weighs no more
     double work = 0., work_done = 0.; // since the start; sum of absolute values
   };
 

@@ -90,6 +90,7 @@ namespace solid
     solid.loads = make_loads(scene, solid.tracers);
     solid.reference_speed = reference_speed(scene, mpm, solid.supports);
     solid.material = make_material(*scene.solid, mpm.mach, solid.reference_speed);
+    solid.loads.true_mass = 1. / solid.material.density_scale;
     for (double &mass : solid.points.mass)
       mass *= solid.material.density_scale;
     square_edges(solid.points, solid.material.density, 0);

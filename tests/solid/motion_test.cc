@@ -144,3 +144,24 @@ TEST(ShearedBar, EveryTransferAndShapeRunsIt)
       EXPECT_LE(mean(*bar, "von_mises"), 1.);
     }
 }
+
+// The density is scaled for the sake of the step, the weight is not: a column on its foot, loaded
+// slowly, presses with the mass that the scene gives it, at any Mach number.
+TEST(BodyForce, WeighsTheMassOfTheScene)
+{
+  for (const std::string acceleration : {"-3*smooth(t, 4)", "-3*smooth(t, 4)*2*y"})
+    for (const double mach : {0.03, 0.1})
+    {
+      scene::Scene scene = small::rectangle({0.5, 0.}, {0.5, 1.}, {1.5, 1.5}, {12, 12});
+      scene.mpm->mach = mach, scene.mpm->reference_speed = 1.;
+      scene.body_force.emplace();
+      scene.body_force->acceleration = {small::text("0"), small::text(acceleration)};
+      small::hold(scene, "foot", Edge::bottom, std::nullopt, "0");
+      const solid::Owner column = solid::make_solid(scene);
+      solid::advance(*column, 4.);
+      const double before = solid::reaction(*column, "foot").impulse[1];
+      solid::advance(*column, 2.);
+      const double force = (solid::reaction(*column, "foot").impulse[1] - before) / 2.;
+      EXPECT_NEAR(std::abs(force), 0.5 * 3., 0.01 * 0.5 * 3.) << acceleration << mach;
+    }
+}
