@@ -1,5 +1,6 @@
 #include "scene/expression.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -18,7 +19,9 @@ namespace scene
     // Rises from 0 to 1 over T with two continuous derivatives.
     double smooth(const double t, const double T)
     {
-      if (T <= 0. || t >= T)
+      if (T < 0.)
+        return std::numeric_limits<double>::quiet_NaN();
+      if (t >= T)
         return t > 0. ? 1. : 0.;
       const double s = t <= 0. ? 0. : t / T;
       return s * s * s * (10. + s * (-15. + 6. * s));
@@ -27,10 +30,10 @@ namespace scene
     // The integral of smooth() over time: s^6 - 3 s^5 + 5/2 s^4, times T; then a straight line.
     double ramp(const double t, const double T)
     {
-      if (t <= 0.)
-        return 0.;
-      if (T <= 0.)
-        return t;
+      if (T < 0.)
+        return std::numeric_limits<double>::quiet_NaN();
+      if (t <= 0. || T == 0.)
+        return std::max(t, 0.);
       const double s = t / T;
       return s >= 1. ? t - 0.5 * T : T * s * s * s * s * (2.5 + s * (-3. + s));
     }

@@ -116,6 +116,25 @@ namespace scene
     return box;
   }
 
+  bool holds_material(const Box &box, const std::vector<Body> &bodies)
+  {
+    constexpr int samples = 48;
+    for (const Body &body : bodies)
+    {
+      const Box own = bounding_box({body});
+      const Point lower = box.lower.cwiseMax(own.lower), upper = box.upper.cwiseMin(own.upper);
+      if ((upper.array() <= lower.array()).any())
+        continue;
+      for (int i = 0; i < samples * samples; ++i)
+      {
+        const Point s((i % samples + 0.5) / samples, (i / samples + 0.5) / samples);
+        if (signed_distance(body, lower + (upper - lower).cwiseProduct(s)) > 0.)
+          return true;
+      }
+    }
+    return false;
+  }
+
   double signed_area(const Polyline &line)
   {
     double twice = 0.;

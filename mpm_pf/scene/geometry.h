@@ -13,6 +13,9 @@ namespace scene
   double signed_distance(const Body &, const Point &p);
   double signed_distance(const std::vector<Body> &, const Point &p);
 
+  /// Does material start in the box? Looked up on a fine grid over what it shares with each body.
+  bool holds_material(const Box &, const std::vector<Body> &);
+
   /// Smallest box around all bodies.
   Box bounding_box(const std::vector<Body> &);
 

@@ -24,10 +24,14 @@ namespace scene
         {"A viscosity needs a yield stress.", viscosity_needs_yield_stress},
         {"Initial velocity and stress need a solid and do not depend on t.",
          initial_state_is_of_a_solid},
+        {"Bodies that overlap start with the same velocity and stress.",
+         overlapping_bodies_start_alike},
         {"A support or traction is where material is.", loads_meet_material},
         {"A support holds at least one component, and starts from zero displacement.",
          supports_hold_something},
-        {"Two supports do not hold the same component of the same place.", supports_do_not_compete},
+        {"Two supports do not hold the same component of the same place, nor move parts of an edge "
+         "apart.",
+         supports_do_not_compete},
         {"A traction acts on the outline: an edge, a segment, or what of it starts in a region.",
          tractions_act_on_outlines},
         // Walls
@@ -50,8 +54,11 @@ namespace scene
         {"Growth at an undercooling of 1 or more has kinetics.", strong_undercooling_has_kinetics},
         {"The first temperature does not depend on t.", first_temperature_is_fixed},
         {"Noise on a domain with symmetry sides is mirrored.", noise_respects_symmetry},
+        // Expressions
+        {"An expression is a finite number wherever and whenever it is used.",
+         expressions_are_finite},
         // Probes
-        {"A probe looks inside the domain, a point of the solid where material is.",
+        {"A probe looks inside the domain, a point or region of the solid where material is.",
          probes_look_inside},
         {"A probe asks for quantities that its modules know.", quantities_are_known},
         {"A reaction probe names a support, or a wall as \"wall top\".", reactions_have_a_support},

@@ -42,4 +42,8 @@ namespace scene
   void reactions_have_a_support(const Inspection &);
   void followed_things_exist(const Inspection &);
   void times_lie_in_the_run(const Inspection &);
+
+  // rules_values.cc
+  void expressions_are_finite(const Inspection &);
+  void overlapping_bodies_start_alike(const Inspection &);
 } // namespace scene

@@ -41,6 +41,10 @@ namespace scene
                          (region.box->upper.array() <= domain.lower.array()).any()))
         in.complain(at, "the probe's region lies outside the domain",
                     "regions that overlap the domain", "move the region");
+      else if (region.box && in.geometry_known && !in.present("growth") &&
+               !holds_material(*region.box, in.scene().bodies))
+        in.complain(at, "no material starts in the probe's region", "a box that overlaps a body",
+                    "move the region");
     }
 
     template <class Names>

@@ -42,26 +42,6 @@ namespace scene
       return false;
     }
 
-    // Is any of a fine grid of points over each body and the box inside the material?
-    bool overlaps(const Box &box, const Scene &scene)
-    {
-      constexpr int samples = 48;
-      for (const Body &body : scene.bodies)
-      {
-        const Box own = bounding_box({body});
-        const Point lower = box.lower.cwiseMax(own.lower), upper = box.upper.cwiseMin(own.upper);
-        if ((upper.array() <= lower.array()).any())
-          continue;
-        for (int i = 0; i < samples * samples; ++i)
-        {
-          const Point s((i % samples + 0.5) / samples, (i / samples + 0.5) / samples);
-          if (signed_distance(body, lower + (upper - lower).cwiseProduct(s)) > 0.)
-            return true;
-        }
-      }
-      return false;
-    }
-
     // How far the outline follows a side of the bodies' box; a disc touches it in a point only.
     double contact_length(const Edge edge, const Scene &scene, const Box &box,
                           const double tolerance)
@@ -90,7 +70,7 @@ namespace scene
                    ? ""
                    : "no part of the outline lies on this segment";
       if (const auto *box = std::get_if<Box>(&where))
-        return overlaps(*box, scene) ? "" : "there is no material in this region";
+        return holds_material(*box, scene.bodies) ? "" : "there is no material in this region";
       const Edge edge = std::get<Edge>(where);
       return contact_length(edge, scene, bounding_box(scene.bodies), tolerance) > 0.
                  ? ""
@@ -124,6 +104,23 @@ namespace scene
         return s->a == std::get<Segment>(b).a && s->b == std::get<Segment>(b).b;
       return std::get<Box>(a).lower == std::get<Box>(b).lower &&
              std::get<Box>(a).upper == std::get<Box>(b).upper;
+    }
+    // Do two edges or segments have more than a corner of the outline in common?
+    bool share_outline(const Where &a, const Where &b, const Inspection &in)
+    {
+      if (!in.geometry_known || std::holds_alternative<Box>(a) || std::holds_alternative<Box>(b))
+        return false;
+      const Scene &scene = in.scene();
+      const Box box = bounding_box(scene.bodies);
+      const double size = (box.upper - box.lower).norm(), tolerance = 1e-6 * size;
+      for (const Polyline &line : outline(scene.bodies, scene.domain, size / 400.))
+        for (std::size_t k = 0; k < line.size(); ++k)
+        {
+          const Point X = 0.5 * (line[k] + line[(k + 1) % line.size()]);
+          if (contains(a, box, X, tolerance) && contains(b, box, X, tolerance))
+            return true;
+        }
+      return false;
     }
   } // namespace
 
@@ -203,12 +200,16 @@ namespace scene
     for (std::size_t i = 0; i < supports.size(); ++i)
       for (std::size_t j = 0; j < i; ++j)
         for (int d = 0; d < 2; ++d)
-          if (same_place(supports[i].where, supports[j].where) && supports[i].displacement[d] &&
-              supports[j].displacement[d])
+        {
+          const auto &a = supports[i].displacement[d], &b = supports[j].displacement[d];
+          if (a && b &&
+              (same_place(supports[i].where, supports[j].where) ||
+               (a->text != b->text && share_outline(supports[i].where, supports[j].where, in))))
             in.complain(*in.draft.supports[i],
                         "\"" + supports[i].name + "\" and \"" + supports[j].name +
                             "\" hold the same component of the same place",
                         "each component once", "remove one, or leave its component \"free\"");
+        }
   }
 
   void tractions_act_on_outlines(const Inspection &in)
