@@ -29,9 +29,7 @@ namespace scene
         {"A support or traction is where material is.", loads_meet_material},
         {"A support holds at least one component, and starts from zero displacement.",
          supports_hold_something},
-        {"Two supports do not hold the same component of the same place, nor move parts of an edge "
-         "apart.",
-         supports_do_not_compete},
+        {"Two supports do not hold one component of one place.", supports_do_not_compete},
         {"A traction acts on the outline: an edge, a segment, or what of it starts in a region.",
          tractions_act_on_outlines},
         // Walls
@@ -41,8 +39,7 @@ namespace scene
         {"A wall that starts by distance needs a phase field.", walls_know_when_to_start},
         // Solvers
         {"flip_fraction belongs to transfer = \"flip\", stress_update = \"first\" to flip and "
-         "xpic2, "
-         "pressure_relaxation to anti-locking.",
+         "xpic2, pressure_relaxation to anti-locking.",
          transfer_keys_are_used},
         {"A Mach number needs a speed to refer to, a reference speed a Mach number.",
          mach_has_a_speed},
