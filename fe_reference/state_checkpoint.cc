@@ -13,7 +13,7 @@ namespace fe
     const std::vector<double> points = whole_points(problem.mesh, state.points);
     if (process_number() != 0)
       return;
-    record::Checkpoint checkpoint;
+    record::CheckpointFile checkpoint(path, scene);
     checkpoint.put("time", state.time);
     checkpoint.put("smallest_jacobian", state.smallest_jacobian);
     checkpoint.put("force_scale", state.force_scale);
@@ -28,7 +28,7 @@ namespace fe
                                                pace.energies.elastic, pace.energies.plastic});
     checkpoint.put("folding", std::vector<double>{folding.last_valid, folding.time,
                                                   static_cast<double>(folding.cell)});
-    checkpoint.save(path, scene);
+    checkpoint.finish();
   }
 
   Saved load(const std::string &path, const scene::Scene &scene, const Problem &problem)

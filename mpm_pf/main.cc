@@ -1,5 +1,7 @@
 // mpm_pf SCENE [options]: argv -> read_scene -> simulate -> exit code. The only place that catches
 // exceptions.
+#include <malloc.h>
+
 #include <csignal>
 #include <filesystem>
 #include <iostream>
@@ -40,6 +42,9 @@ namespace
 
 int main(int argc, char **argv)
 {
+  // Large arrays go back to the system when they are freed. By default the first one freed raises
+  // this threshold, and arrays that grow leave holes as large as themselves in the heap.
+  mallopt(M_MMAP_THRESHOLD, 1 << 20);
   const auto parsed = record::parse_command_line(
       argc, argv, "mpm_pf",
       "Material points and phase field: solid deformation during solidification.");

@@ -169,7 +169,7 @@ void Recorder::observe_reaction(ReactionWatch &watch, const World &world)
                  {row.force[0], row.force[1], row.displacement[0], row.displacement[1]});
 }
 
-void Recorder::save(record::Checkpoint &checkpoint) const
+void Recorder::save(record::CheckpointTarget &checkpoint) const
 {
   for (const auto &watch : watches)
     checkpoint.put("recorder/" + watch.probe->name + "/next", static_cast<double>(watch.next));

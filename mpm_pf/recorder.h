@@ -35,7 +35,7 @@ public:
   /// What the program has to say about its own resolution; empty if nothing.
   const std::string &warning() const { return too_wide.empty() ? under_resolved : too_wide; }
 
-  void save(record::Checkpoint &) const;
+  void save(record::CheckpointTarget &) const;
   void restore(const record::Checkpoint &, double time);
 
 private:

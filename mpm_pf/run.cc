@@ -26,12 +26,12 @@ namespace
 
   void save_checkpoint(const World &world, const Recorder &recorder, const std::string &path)
   {
-    record::Checkpoint checkpoint;
+    record::CheckpointFile checkpoint(path, *world.scene);
     checkpoint.put("time", world.time);
     checkpoint.put("steps", static_cast<double>(world.steps));
     save(world, checkpoint);
     recorder.save(checkpoint);
-    checkpoint.save(path, *world.scene);
+    checkpoint.finish();
   }
 
   record::Profile profile_of(const World &world, const Recorder &recorder, const double setup_cpu,

@@ -68,5 +68,5 @@ double growth_step(const World &);
 
 /// The whole state to and from a checkpoint; a restored world goes on to the same bits. Throw
 /// std::runtime_error if the checkpoint lacks a module.
-void save(const World &, record::Checkpoint &);
+void save(const World &, record::CheckpointTarget &);
 void restore(World &, const record::Checkpoint &);

@@ -9,14 +9,15 @@ namespace
   using medium::Field;
   using medium::ghost_layers;
 
-  void put(record::Checkpoint &checkpoint, const std::string &name, const Field<double> &field)
+  void put(record::CheckpointTarget &checkpoint, const std::string &name,
+           const Field<double> &field)
   {
     std::vector<double> flat;
     if (!field.empty())
       for (int j = -ghost_layers; j < field.nodes(1) + ghost_layers; ++j)
         flat.insert(flat.end(), field.row(j) - ghost_layers,
                     field.row(j) + field.nodes(0) + ghost_layers);
-    checkpoint.put(name, flat);
+    checkpoint.put(name, std::move(flat));
   }
 
   void get(const record::Checkpoint &checkpoint, const std::string &name, const medium::Mesh &mesh,
@@ -60,7 +61,7 @@ namespace
   }
 } // namespace
 
-void save(const World &world, record::Checkpoint &checkpoint)
+void save(const World &world, record::CheckpointTarget &checkpoint)
 {
   for_each_field(world, [&](const std::string &name, const Field<double> &field)
                  { put(checkpoint, name, field); });
@@ -71,8 +72,8 @@ void save(const World &world, record::Checkpoint &checkpoint)
   if (world.extension)
     checkpoint.put("extension", medium::pack(*world.extension, *world.mesh));
   if (world.solid)
-    for (auto &[name, values] : solid::checkpoint(*world.solid))
-      checkpoint.put("solid/" + name, values);
+    solid::checkpoint(*world.solid, [&](const std::string &name, std::vector<double> values)
+                      { checkpoint.put("solid/" + name, std::move(values)); });
 }
 
 void restore(World &world, const record::Checkpoint &checkpoint)

@@ -47,25 +47,39 @@ namespace record
     return found->second;
   }
 
-  void Checkpoint::save(const std::string &path, const scene::Scene &scene) const
+  struct CheckpointFile::File
   {
-    const std::string part = path + ".part";
-    {
-      const hdf5::Handle file = hdf5::open_file(part, hdf5::Mode::create);
-      hdf5::set_attribute(file, "format", std::string(format));
-      hdf5::set_attribute(file, "scene_hash", scene.hash);
-      const hdf5::Handle all_numbers = hdf5::open_group(file, "numbers", true);
-      for (const auto &[name, value] : numbers)
-        hdf5::set_attribute(all_numbers, name, value);
-      hdf5::open_group(file, "arrays", true);
-      for (const auto &[name, array] : arrays)
-      {
-        const std::string dataset = "arrays/" + name;
-        hdf5::open_group(file, dataset.substr(0, dataset.rfind('/')), true);
-        std::visit([&](const auto &values) { hdf5::write(file, dataset, values); }, array);
-      }
-    }
-    std::filesystem::rename(part, path);
+    hdf5::Handle file, numbers;
+  };
+
+  CheckpointFile::CheckpointFile(const std::string &path, const scene::Scene &scene) : path(path)
+  {
+    hdf5::Handle part = hdf5::open_file(path + ".part", hdf5::Mode::create);
+    hdf5::set_attribute(part, "format", std::string(format));
+    hdf5::set_attribute(part, "scene_hash", scene.hash);
+    hdf5::open_group(part, "arrays", true);
+    hdf5::Handle numbers = hdf5::open_group(part, "numbers", true);
+    file = std::make_unique<File>(File{std::move(part), std::move(numbers)});
+  }
+
+  CheckpointFile::~CheckpointFile() = default;
+
+  void CheckpointFile::put(const std::string &name, const Array values)
+  {
+    const std::string dataset = "arrays/" + name;
+    hdf5::open_group(file->file, dataset.substr(0, dataset.rfind('/')), true);
+    std::visit([&](const auto &of_type) { hdf5::write(file->file, dataset, of_type); }, values);
+  }
+
+  void CheckpointFile::put(const std::string &name, const double number)
+  {
+    hdf5::set_attribute(file->numbers, name, number);
+  }
+
+  void CheckpointFile::finish()
+  {
+    file.reset();
+    std::filesystem::rename(path + ".part", path);
   }
 
   namespace

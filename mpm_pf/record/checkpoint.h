@@ -6,7 +6,9 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -14,15 +16,42 @@
 
 namespace record
 {
-  class Checkpoint
+  /// Takes arrays and numbers, each under a name of its own.
+  class CheckpointTarget
   {
   public:
     using Array = std::variant<std::vector<double>, std::vector<float>, std::vector<int>,
                                std::vector<unsigned char>>;
+    virtual ~CheckpointTarget() = default;
+    virtual void put(const std::string &name, Array values) = 0;
+    virtual void put(const std::string &name, double number) = 0;
+  };
 
-    /// Keep `values` under `name`; the same name again replaces them.
-    void put(const std::string &name, Array values) { arrays[name] = std::move(values); }
-    void put(const std::string &name, double number) { numbers[name] = number; }
+  /// Writes what it is given at once, so that no copy of a whole state stands in memory.
+  class CheckpointFile : public CheckpointTarget
+  {
+  public:
+    /// Opens <path>.part. Throws std::runtime_error if it cannot be written.
+    CheckpointFile(const std::string &path, const scene::Scene &);
+    ~CheckpointFile() override;
+    void put(const std::string &name, Array values) override;
+    void put(const std::string &name, double number) override;
+    /// All is there: take the place of an earlier checkpoint at `path`.
+    void finish();
+
+  private:
+    struct File;
+    std::string path;
+    std::unique_ptr<File> file;
+  };
+
+  /// In memory.
+  class Checkpoint : public CheckpointTarget
+  {
+  public:
+    /// The same name again replaces what it held.
+    void put(const std::string &name, Array values) override { arrays[name] = std::move(values); }
+    void put(const std::string &name, double number) override { numbers[name] = number; }
 
     bool has(const std::string &name) const { return arrays.count(name) + numbers.count(name) > 0; }
     /// The array `name`. Throws std::runtime_error if there is none or it holds another type.
@@ -31,11 +60,8 @@ namespace record
     /// The number `name`. Throws std::runtime_error if there is none.
     double number(const std::string &name) const;
 
-    /// Write everything to `path`, in place of an earlier checkpoint there, with the hash of the
-    /// scene. Throws std::runtime_error if it cannot be written.
-    void save(const std::string &path, const scene::Scene &) const;
-    /// Read what save() wrote. Throws std::runtime_error if there is no such file, it is no
-    /// checkpoint, or it was made from another scene.
+    /// Read what a CheckpointFile wrote. Throws std::runtime_error if there is no such file, it is
+    /// no checkpoint, or it was made from another scene.
     static Checkpoint load(const std::string &path, const scene::Scene &);
 
   private:

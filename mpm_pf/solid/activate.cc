@@ -75,8 +75,13 @@ namespace solid
       throw std::logic_error("a solid that has material points cannot be made from phi again");
     solid.growing = std::make_unique<Growing>(solid.domain);
     Growing &growing = *solid.growing;
+    growing.map.measure(crystal.phi, crystal.mesh, crystal.between_walls);
+    growing.ledger.activated = growing.map.total();
     const medium::CellAreas areas(crystal.phi, crystal.mesh, crystal.between_walls);
     Filling fill{solid, areas, growing.owed};
+    constexpr double grows_on = 1.05;
+    reserve(solid.points,
+            static_cast<std::size_t>(grows_on * growing.map.total() / fill.share().prod()));
     for (int j = areas.first_cell(1); j < areas.end_cell(1); ++j)
       for (int i = areas.first_cell(0); i < areas.end_cell(0); ++i)
       {
@@ -88,8 +93,6 @@ namespace solid
       }
     solid.points.active = solid.points.size();
     square_edges(solid.points, solid.material.density, 0);
-    growing.map.measure(crystal.phi, crystal.mesh, crystal.between_walls);
-    growing.ledger.activated = growing.map.total();
     solid.time = time;
     solid.grid.drift = solid.grid.dx; // sort before anything moves
   }

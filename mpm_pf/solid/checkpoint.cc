@@ -89,29 +89,29 @@ namespace solid
     }
   } // namespace
 
+  void checkpoint(const Solid &solid,
+                  const std::function<void(const std::string &, std::vector<double>)> &put)
+  {
+    for_each_array(solid.points, [&](const char *name, const auto &array)
+                   { put(name, std::vector<double>(array.begin(), array.end())); });
+    put("numbers",
+        {solid.time, static_cast<double>(solid.steps), solid.speed, solid.call_duration,
+         solid.energy.start, solid.energy.kinetic, solid.energy.dissipated, solid.loads.work,
+         solid.loads.work_done, static_cast<double>(solid.points.active),
+         static_cast<double>(solid.tracers.outlines.size()), solid.material.density});
+    put("supports", pack(solid.supports));
+    put("grid", pack(solid.grid));
+    if (solid.growing)
+      put("growth", pack_growth(solid));
+    for (std::size_t k = 0; k < solid.tracers.outlines.size(); ++k)
+      put("outline " + std::to_string(k), pack(solid.tracers.outlines[k]));
+  }
+
   Checkpoint checkpoint(const Solid &solid)
   {
     Checkpoint state;
-    for_each_array(solid.points, [&](const char *name, const auto &array)
-                   { state[name] = std::vector<double>(array.begin(), array.end()); });
-    state["numbers"] = {solid.time,
-                        static_cast<double>(solid.steps),
-                        solid.speed,
-                        solid.call_duration,
-                        solid.energy.start,
-                        solid.energy.kinetic,
-                        solid.energy.dissipated,
-                        solid.loads.work,
-                        solid.loads.work_done,
-                        static_cast<double>(solid.points.active),
-                        static_cast<double>(solid.tracers.outlines.size()),
-                        solid.material.density};
-    state["supports"] = pack(solid.supports);
-    state["grid"] = pack(solid.grid);
-    if (solid.growing)
-      state["growth"] = pack_growth(solid);
-    for (std::size_t k = 0; k < solid.tracers.outlines.size(); ++k)
-      state["outline " + std::to_string(k)] = pack(solid.tracers.outlines[k]);
+    checkpoint(solid, [&](const std::string &name, std::vector<double> values)
+               { state[name] = std::move(values); });
     return state;
   }
 

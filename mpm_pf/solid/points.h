@@ -116,6 +116,9 @@ namespace solid
     }
   };
 
+  /// Memory for `count` points in all, so that adding them moves none.
+  void reserve(Points &, std::size_t count);
+
   /// Add a point at rest, free of stress, at `position` (rounded to a fraction of the domain).
   void add_point(Points &, const Fraction &, const Point &position, double mass);
 

@@ -10,6 +10,7 @@
 // and the time loop need; the parts are in the other headers of this room.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <stdexcept>
@@ -123,5 +124,8 @@ namespace solid
   /// bits.
   using Checkpoint = std::map<std::string, std::vector<double>>;
   Checkpoint checkpoint(const Solid &);
+  /// The same, one array at a time.
+  void checkpoint(const Solid &,
+                  const std::function<void(const std::string &, std::vector<double>)> &put);
   void restore(Solid &, const Checkpoint &); // throws std::runtime_error if it is of another scene
 } // namespace solid

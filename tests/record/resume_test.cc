@@ -133,14 +133,14 @@ TEST(Checkpoint, GivesEveryTypeBackBitForBit)
   std::memcpy(&strange, &bits, sizeof strange);
   std::vector<double> x(6000, 1. / 3.);
   x[5999] = strange;
-  Checkpoint before;
+  CheckpointFile before(scratch / "c.h5", scene_of_hash("1"));
   before.put("solid/x", x);
   before.put("melt/phi", std::vector<float>{0.1f, -1.f});
   before.put("tiles", std::vector<int>{-1, 2147483647});
   before.put("flags", std::vector<unsigned char>{0, 255});
   before.put("none", std::vector<double>{});
   before.put("time", std::nextafter(1., 2.));
-  before.save(scratch / "c.h5", scene_of_hash("1"));
+  before.finish();
 
   const Checkpoint after = Checkpoint::load(scratch / "c.h5", scene_of_hash("1"));
   EXPECT_EQ(std::memcmp(after.get<double>("solid/x").data(), x.data(), 6000 * sizeof(double)), 0);
@@ -156,9 +156,10 @@ TEST(Checkpoint, GivesEveryTypeBackBitForBit)
 TEST(Checkpoint, SaysWhatIsMissing)
 {
   const Scratch scratch;
-  Checkpoint checkpoint;
-  checkpoint.put("tiles", std::vector<int>{1});
-  checkpoint.save(scratch / "c.h5", scene_of_hash("1"));
+  CheckpointFile file(scratch / "c.h5", scene_of_hash("1"));
+  file.put("tiles", std::vector<int>{1});
+  file.finish();
+  const Checkpoint checkpoint = Checkpoint::load(scratch / "c.h5", scene_of_hash("1"));
   EXPECT_NE(error_of<std::runtime_error>([&] { checkpoint.get<int>("walls"); }).find("walls"),
             std::string::npos);
   EXPECT_NE(error_of<std::runtime_error>([&] { checkpoint.get<double>("tiles"); }).find("type"),
@@ -176,11 +177,15 @@ TEST(Checkpoint, SaysWhatIsMissing)
 TEST(Checkpoint, ReplacesTheOneBeforeWhole)
 {
   const Scratch scratch;
-  Checkpoint checkpoint;
-  checkpoint.put("a", 1.);
-  checkpoint.save(scratch / "c.h5", scene_of_hash("1"));
-  checkpoint.put("a", 2.);
-  checkpoint.save(scratch / "c.h5", scene_of_hash("1"));
-  EXPECT_EQ(Checkpoint::load(scratch / "c.h5", scene_of_hash("1")).number("a"), 2.);
+  const auto value = [&]
+  { return Checkpoint::load(scratch / "c.h5", scene_of_hash("1")).number("a"); };
+  CheckpointFile first(scratch / "c.h5", scene_of_hash("1"));
+  first.put("a", 1.);
+  first.finish();
+  CheckpointFile second(scratch / "c.h5", scene_of_hash("1"));
+  second.put("a", 2.);
+  EXPECT_EQ(value(), 1.); // a kill now leaves the one before
+  second.finish();
+  EXPECT_EQ(value(), 2.);
   EXPECT_FALSE(std::filesystem::exists(scratch / "c.h5.part"));
 }
