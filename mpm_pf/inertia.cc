@@ -4,6 +4,8 @@
 #include <iomanip>
 #include <sstream>
 
+#include "scene/geometry.h"
+
 namespace
 {
   /// "13 %", "1.5 %".
@@ -50,4 +52,25 @@ std::string verdict_on_inertia(const World &world)
   else
     text += ": not quasi-static";
   return text;
+}
+
+std::string warning_on_scaling(const World &world)
+{
+  constexpr double enough = 5.;
+  const scene::Scene &scene = *world.scene;
+  if (!world.solid || !scene.mpm || !scene.mpm->mach || scene.growth)
+    return {};
+  const scene::Box box = scene::bounding_box(scene.bodies);
+  const double length = (box.upper - box.lower).maxCoeff();
+  const auto numbers = solid::numbers(*world.solid);
+  const double crossings = numbers.at("wave_speed") * scene.clock.end / length;
+  if (crossings >= enough)
+    return {};
+  std::ostringstream text;
+  text.precision(2);
+  text << "not quasi-static: mpm.mach multiplies the density by " << numbers.at("density_scale")
+       << ", with which a wave crosses the bodies " << crossings
+       << " times in the whole run; lower mach, or give the speed of the loading as "
+          "mpm.reference_speed";
+  return text.str();
 }

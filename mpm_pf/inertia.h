@@ -21,3 +21,7 @@ Inertia inertia(const World &);
 
 /// The same in words, for the record and the figures; empty where no wall has compressed a solid.
 std::string verdict_on_inertia(const World &);
+
+/// A sentence if the density was scaled so far that a wave crosses the bodies a few times only in
+/// the whole run: whatever is loaded then is not in equilibrium. Empty else.
+std::string warning_on_scaling(const World &);

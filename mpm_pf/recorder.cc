@@ -14,7 +14,9 @@ Recorder::Recorder(const scene::Scene &scene, record::Writer &out)
 {
   const double end = scene.clock.end;
   if (scene.growth && scene.heat)
-    too_wide = melt::width_warning(scene.growth->capillary_length, scene.phase_field->width);
+    ill_chosen = melt::width_warning(scene.growth->capillary_length, scene.phase_field->width);
+  if (scene.phase_field && ill_chosen.empty())
+    ill_chosen = melt::profile_warning(scene.phase_field->width, scene.domain.spacing().maxCoeff());
   std::vector<std::string> watched;
   for (const auto &probe : scene.probes)
   {

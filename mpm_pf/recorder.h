@@ -33,7 +33,7 @@ public:
   double wall_seconds() const { return wall; }
 
   /// What the program has to say about its own resolution; empty if nothing.
-  const std::string &warning() const { return too_wide.empty() ? under_resolved : too_wide; }
+  const std::string &warning() const { return ill_chosen.empty() ? under_resolved : ill_chosen; }
 
   void save(record::CheckpointTarget &) const;
   void restore(const record::Checkpoint &, double time);
@@ -66,7 +66,7 @@ private:
   std::vector<Watch> watches;
   std::vector<ReactionWatch> reactions;
   std::map<std::string, melt::TipTrack> tracks; // of tip probes, by name
-  std::string too_wide;       // an interface that is not thin, known from the scene
-  std::string under_resolved; // the last complaint about a tip
+  std::string ill_chosen;                       // or too narrow an interface, known from the scene
+  std::string under_resolved;                   // the last complaint about a tip
   double cpu = 0., wall = 0.;
 };

@@ -140,10 +140,13 @@ namespace
 
   int Session::complete()
   {
-    if (!recorder->warning().empty())
+    std::string warning = recorder->warning();
+    if (const std::string scaling = warning_on_scaling(world); !scaling.empty())
+      warning += (warning.empty() ? "" : "; ") + scaling;
+    if (!warning.empty())
     {
-      std::cerr << "mpm_pf: " << recorder->warning() << '\n';
-      writer->attribute("warning", recorder->warning());
+      std::cerr << "mpm_pf: " << warning << '\n';
+      writer->attribute("warning", warning);
     }
     if (const std::string verdict = verdict_on_inertia(world); !verdict.empty())
     {

@@ -75,4 +75,16 @@ namespace melt
          << most << ": use a smaller W0";
     return text.str();
   }
+
+  std::string profile_warning(const double width, const double spacing)
+  {
+    if (width >= 0.5 * spacing)
+      return {};
+    std::ostringstream text;
+    text.precision(3);
+    text << "under-resolved: the interface width W0 is " << width / spacing
+         << " cells; phi is a step from node to node, and its contour may be off by half a cell: "
+            "use a W0 of a cell or more";
+    return text.str();
+  }
 } // namespace melt

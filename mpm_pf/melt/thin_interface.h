@@ -39,6 +39,10 @@ namespace melt
   /// it.
   std::string width_warning(double capillary_length, double width);
 
+  /// The same for a mesh that cannot hold the profile: below W0 = dx/2 phi is a step from node to
+  /// node, and its contour stands wherever between them.
+  std::string profile_warning(double width, double spacing);
+
   /// The law of a scene's sections; `heat` may be null (growth by curvature alone, lambda = 0).
   /// Throws scene::BadScene where anisotropy >= 1/15 (the interface stiffness 1 - 15 eps is
   /// negative: Eq. (1) is ill-posed), where the asked kinetic coefficient (default zero) differs
