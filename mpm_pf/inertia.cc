@@ -1,5 +1,6 @@
 #include "inertia.h"
 
+#include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <sstream>
@@ -60,6 +61,12 @@ std::string warning_on_scaling(const World &world)
   const scene::Scene &scene = *world.scene;
   if (!world.solid || !scene.mpm || !scene.mpm->mach || scene.growth)
     return {};
+  const auto thrown = [](const scene::Body &body)
+  { return body.velocity[0].text != "0" || body.velocity[1].text != "0"; };
+  if (std::any_of(scene.bodies.begin(), scene.bodies.end(), thrown))
+    return "not quasi-static: mpm.mach scales the density of bodies that start with a velocity, "
+           "and "
+           "with it their momentum; leave mach out";
   const scene::Box box = scene::bounding_box(scene.bodies);
   const double length = (box.upper - box.lower).maxCoeff();
   const auto numbers = solid::numbers(*world.solid);

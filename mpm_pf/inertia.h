@@ -23,5 +23,6 @@ Inertia inertia(const World &);
 std::string verdict_on_inertia(const World &);
 
 /// A sentence if the density was scaled so far that a wave crosses the bodies a few times only in
-/// the whole run: whatever is loaded then is not in equilibrium. Empty else.
+/// the whole run, or that of bodies which start with a velocity: whatever is loaded then is not in
+/// equilibrium. Empty else.
 std::string warning_on_scaling(const World &);
