@@ -88,7 +88,8 @@ namespace solid
       push(solid.loads, solid.tracers, solid.points, solid.scheme, solid.supports.folds, solid.grid,
            1. / solid.material.density, solid.time);
       move_nodes(solid, dt);
-      hold(solid.supports, solid.scheme, solid.points, solid.fraction, solid.grid, solid.time, dt);
+      hold(solid.supports, solid.scheme, solid.points, solid.fraction, solid.loads.acceleration,
+           1. / solid.material.density, solid.grid, solid.time, dt);
       book_work(solid.loads, solid.grid, dt);
       move(solid.tracers, solid.scheme, solid.grid, solid.supports.folds, dt);
       if (solid.scheme.transfer == Transfer::xpic2)
@@ -104,7 +105,8 @@ namespace solid
       for (Node &node : grid.nodes)
         node.motion[1] = node.motion[3] = 0.;
       move_nodes(solid, dt);
-      hold(solid.supports, solid.scheme, solid.points, solid.fraction, grid, solid.time, dt, false);
+      hold(solid.supports, solid.scheme, solid.points, solid.fraction, solid.loads.acceleration,
+           1. / solid.material.density, grid, solid.time, dt, false);
       nodes_to_points(solid, dt, Part::stress);
     }
 

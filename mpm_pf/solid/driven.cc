@@ -1,3 +1,10 @@
+// What points of driven boxes are prescribed, what they say about the nodes around them, and what
+// it takes to move them.
+//
+// Their share of the nodes' masses, momenta and forces is known and is taken out of the momentum
+// balance (driven_sides.cc), and they ride where they are told. So the support is charged by point,
+// exactly: m (v - v_old) - dt m b of momentum and
+// m (v^2 - v_old^2)/2 - dt m b.v + dt V sigma:C of work, with the prescribed velocity gradient C.
 #include <Eigen/LU>
 
 #include "solid/supports.h"
@@ -20,65 +27,163 @@ namespace solid
       }
       return F;
     }
+
+    // The region's motion to its point, where no region before it holds the component, and to the
+    // nodes around, where nearer points count more; any weights are exact for affine motions.
+    void prescribe(DrivenRegion &region, const Motion &motion, const Grid &grid, const Point &X,
+                   const Point &x, const double t, const double dt, Prescribed &point)
+    {
+      // To nodes that free material beside an open side may be tied to, else to its own.
+      const auto &open = region.open;
+      const int reach = open[0][0] || open[0][1] || open[1][0] || open[1][1] ? 3 : 1;
+      const double h = 0.01 * grid.dx;
+      const Point from = motion.at(X, x, t), to = motion.at(X, x, t + dt), v = (to - from) / dt;
+      const Matrix back = deformation(motion, X, x, t, h).inverse();
+      const Matrix C = (deformation(motion, X, x, t + dt, h) * back - Matrix::Identity()) / dt;
+      for (int c = 0; c < 2; ++c)
+        if (motion.holds(c) && point.support[c] < 0)
+        {
+          point.support[c] = region.support;
+          point.velocity[c] = v[c], point.position[c] = X[c] + to[c];
+          point.gradient.row(c) = C.row(c);
+        }
+      const int i = grid.nearest(x[0], 0), j = grid.nearest(x[1], 1);
+      for (int b = j - reach; b <= j + reach; ++b)
+        for (int a = i - reach; a <= i + reach; ++a)
+          if (grid.has(a, b))
+          {
+            const Point d = Point(grid.node_x(a), grid.node_y(b)) - x;
+            const double q = 1. / (1. + d.squaredNorm() / (grid.dx * grid.dx)), w = q * q * q * q;
+            Cover &cover = region.covers[grid.at(a, b)];
+            cover.weight += w, cover.velocity += w * (v + C * d);
+            cover.origin += w * (X + back * d), cover.slope += w * back;
+          }
+    }
+
+    struct Account
+    {
+      const Scheme &scheme;
+      const Points &points;
+      const Acceleration &acceleration;
+      const Grid &grid;
+      double inverse_density, dt;
+      bool book; // else the forces were left out
+
+      Point push(const std::size_t p) const
+      {
+        const Acceleration &a = acceleration;
+        return dt * points.mass[p] * (a.x.empty() ? a.uniform : Point(a.x[p], a.y[p]));
+      }
+      Matrix stress(const std::size_t p) const // times volume and dt
+      {
+        Matrix s;
+        s << points.sxx[p], points.sxy[p], points.sxy[p], points.syy[p];
+        return dt * points.mass[p] * inverse_density * points.jacobian[p] * s;
+      }
+
+      // As scatter does.
+      void parts(Supports &supports, const std::size_t p) const
+      {
+        const Prescribed &point = supports.prescribed[p];
+        const Point velocity(points.vx[p], points.vy[p]), pushed = push(p);
+        const Matrix stressed = stress(p);
+        Matrix affine = Matrix::Zero();
+        if (scheme.affine())
+          affine << points.lxx[p], points.lxy[p], points.lyx[p], points.lyy[p];
+        const Stencil s = stencil(scheme, grid, supports.folds, {points.x[p], points.y[p]});
+        for (int k = 0; k < 9; ++k)
+        {
+          const int a = k % 3, b = k / 3;
+          const double w = s.x.w[a] * s.y.w[b], m = points.mass[p] * w;
+          const Point d(s.x.d[a], s.y.d[b]);
+          const Point slope(s.x.g[a] * s.y.w[b], s.x.w[a] * s.y.g[b]);
+          for (int c = 0; c < 2; ++c)
+            if (point.support[c] >= 0)
+            {
+              DrivenPart &part = supports.driven_parts[grid.at(s.i - 1 + a, s.j - 1 + b)][c];
+              part.mass += m, part.momentum += m * (velocity[c] + affine.row(c).dot(d));
+              if (book)
+                part.impulse += w * pushed[c] - stressed.row(c).dot(slope);
+            }
+        }
+      }
+
+      void charge(Supports &supports, const std::size_t p) const
+      {
+        const Prescribed &point = supports.prescribed[p];
+        const Point before(points.vx[p], points.vy[p]), &v = point.velocity, pushed = push(p);
+        const Matrix stressed = stress(p);
+        for (int c = 0; c < 2; ++c)
+          if (point.support[c] >= 0)
+          {
+            Support &support = supports.all[point.support[c]];
+            const double impulse = points.mass[p] * (v[c] - before[c]) - pushed[c];
+            const double work = 0.5 * points.mass[p] * (v[c] * v[c] - before[c] * before[c]) -
+                                pushed[c] * v[c] + stressed.row(c).dot(point.gradient.row(c));
+            support.impulse[c] += impulse, support.call_impulse[c] += impulse;
+            supports.work += work, supports.work_done += std::abs(work);
+            supports.speed = std::max(supports.speed, std::abs(v[c]));
+          }
+      }
+    };
   } // namespace
 
-  void project(DrivenRegion &region, const Motion &motion, const Scheme &scheme,
-               const FoldTable &folds, const Points &points, const Fraction &fraction,
-               const Grid &grid, const double t, const double dt)
+  void prescribe(Supports &supports, const Scheme &scheme, const Points &points,
+                 const Fraction &fraction, const Acceleration &acceleration,
+                 const double inverse_density, const Grid &grid, const double t, const double dt,
+                 const bool book)
   {
-    region.sums.assign(grid.nodes.size(), {0., 0., 0.});
-    region.increment.clear();
+    for (DrivenRegion &region : supports.driven)
+      region.covers.assign(grid.nodes.size(), {});
+    supports.driven_parts.assign(grid.nodes.size(), {});
+    supports.prescribed.assign(points.active, {});
+    const Account account{scheme, points, acceleration, grid, inverse_density, dt, book};
     for (std::size_t p = 0; p < points.active; ++p)
     {
-      if (!(points.regions[p] & (1u << region.region)))
-        continue;
-      const Point X = fraction.initial(points, p), x{points.x[p], points.y[p]};
-      const double h = 0.01 * grid.dx;
-      const Point step = motion.at(X, x, t + dt) - motion.at(X, x, t);
-      const Matrix C =
-          (deformation(motion, X, x, t + dt, h) * deformation(motion, X, x, t, h).inverse() -
-           Matrix::Identity()) /
-          dt;
-      region.increment.push_back(step);
-      const Stencil s = stencil(scheme, grid, folds, x);
-      for (int b = 0; b < 3; ++b)
-        for (int a = 0; a < 3; ++a)
+      bool any = false;
+      for (DrivenRegion &region : supports.driven)
+        if (points.regions[p] & (1u << region.region))
         {
-          const double m = points.mass[p] * s.x.w[a] * s.y.w[b];
-          const Point v = step / dt + C * Point(s.x.d[a], s.y.d[b]);
-          auto &sum = region.sums[grid.at(s.i - 1 + a, s.j - 1 + b)];
-          sum[0] += m, sum[1] += m * v[0], sum[2] += m * v[1];
+          prescribe(region, supports.all[region.support].motion, grid, fraction.initial(points, p),
+                    {points.x[p], points.y[p]}, t, dt, supports.prescribed[p]);
+          any = true;
         }
+      if (any)
+        account.parts(supports, p);
+      if (any && book)
+        account.charge(supports, p);
     }
   }
 
-  void carry_driven(Supports &supports, const DrivenRegion &region, Points &points,
-                    const Fraction &fraction, const double t, const double dt)
+  void move_as_prescribed(const Supports &supports, Points &points, const bool gradient_only,
+                          const std::size_t begin, const std::size_t end)
   {
-    Support &support = supports.all[region.support];
-    const Motion &motion = support.motion;
-    Point impulse = Point::Zero();
-    double work = 0.;
-    std::size_t k = 0;
-    for (std::size_t p = 0; p < points.active; ++p)
+    if (supports.driven.empty())
+      return;
+    for (std::size_t p = begin; p < end; ++p)
     {
-      if (!(points.regions[p] & (1u << region.region)))
-        continue;
-      const Point X = fraction.initial(points, p), v = region.increment[k++] / dt;
-      const Point u = motion.at(X, {points.x[p], points.y[p]}, t + dt);
-      for (int c = 0; c < 2; ++c)
-      {
-        if (!motion.holds(c))
-          continue;
-        (c == 0 ? points.x : points.y)[p] = X[c] + u[c];
-        double &velocity = (c == 0 ? points.vx : points.vy)[p];
-        const double given = points.mass[p] * (v[c] - velocity);
-        impulse[c] += given, work += given * v[c];
-        velocity = v[c];
-      }
+      const Prescribed &point = supports.prescribed[p];
+      if (point.support[0] >= 0)
+        points.lxx[p] = point.gradient(0, 0), points.lxy[p] = point.gradient(0, 1);
+      if (point.support[1] >= 0)
+        points.lyx[p] = point.gradient(1, 0), points.lyy[p] = point.gradient(1, 1);
+      if (point.support[0] >= 0 && !gradient_only)
+        points.vx[p] = point.velocity[0];
+      if (point.support[1] >= 0 && !gradient_only)
+        points.vy[p] = point.velocity[1];
     }
-    support.impulse += impulse, support.call_impulse += impulse;
-    supports.work += work, supports.work_done += std::abs(work);
+  }
+
+  void carry_driven(const Supports &supports, Points &points)
+  {
+    for (std::size_t p = 0; p < supports.prescribed.size(); ++p)
+    {
+      const Prescribed &point = supports.prescribed[p];
+      if (point.support[0] >= 0)
+        points.x[p] = point.position[0];
+      if (point.support[1] >= 0)
+        points.y[p] = point.position[1];
+    }
   }
 
   double largest_prescribed_speed(const Supports &supports, const double end)

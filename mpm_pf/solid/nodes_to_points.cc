@@ -50,6 +50,7 @@ namespace solid
           gather_gradient(solid.scheme, solid.supports.folds, solid.grid, solid.points, p, q);
         else
           gather(solid.scheme, solid.supports.folds, solid.grid, solid.points, by, p, q);
+        move_as_prescribed(solid.supports, solid.points, part == Part::stress, p, q);
         if (means)
           add_to_cells(*means, solid.points, solid.grid, step, b, p, q);
         if (!apic && part != Part::stress)
@@ -67,6 +68,7 @@ namespace solid
           return;
         // Its affine part takes the place of the velocity gradient, and needs the old position.
         gather_affine(solid.scheme, solid.supports.folds, solid.grid, solid.points, p, q);
+        move_as_prescribed(solid.supports, solid.points, part == Part::stress, p, q);
         move_points(b, Moving{}, p, q);
       }
     };

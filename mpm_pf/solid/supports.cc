@@ -11,10 +11,6 @@ namespace solid
   {
     // Cells beyond the ends of a line in which shape functions are folded.
     constexpr std::array<double, 2> folded{1., 1.};
-    // A node is driven from this share of its mass on: it may lie 0.6 cells outside the box, so
-    // that its material is clamped at the side of the box in the mean of all ways that the mesh may
-    // lie, to half a cell. From a half on it would be clamped up to a cell and a half inside.
-    constexpr double driven_share = 0.11;
 
     void place_line(const std::vector<Support> &supports, const Tracers &tracers, HeldLine &line,
                     const int index, const double t)
@@ -75,32 +71,6 @@ namespace solid
         pairs.push_back(wanted);
     }
 
-    // Give a node the velocity v in the held components; the momentum that takes is the reaction.
-    void give(Supports &supports, Support *support, Grid &grid, const std::ptrdiff_t n,
-              const std::array<bool, 2> &held, const Point &v, const bool book)
-    {
-      Node &node = grid.nodes[n];
-      const double mass = grid.mass[n];
-      Velocity &velocity = grid.velocity[n];
-      Point now{velocity.x, velocity.y}, impulse = Point::Zero();
-      for (int c = 0; c < 2; ++c)
-        if (held[c])
-        {
-          impulse[c] = mass * (v[c] - now[c]);
-          now[c] = v[c];
-          if (!grid.change.empty())
-            (c == 0 ? grid.change[n].x : grid.change[n].y) =
-                v[c] - (mass > 0. ? node.momentum()[c] / mass : v[c]);
-          node.motion[2 * c] = mass * v[c];
-        }
-      velocity = {now[0], now[1]};
-      if (!support || !book)
-        return;
-      support->impulse += impulse, support->call_impulse += impulse;
-      supports.work += impulse.dot(v), supports.work_done += std::abs(impulse.dot(v));
-      supports.speed = std::max(supports.speed, v.norm());
-    }
-
     // Where the material now at x came from, were it moved by the support alone.
     Point origin(const Motion &motion, const Point &x, const double t)
     {
@@ -135,6 +105,31 @@ namespace solid
     }
   } // namespace
 
+  void give(Supports &supports, Support *support, Grid &grid, const std::ptrdiff_t n,
+            const std::array<bool, 2> &held, const Point &v, const bool book)
+  {
+    Node &node = grid.nodes[n];
+    const double mass = grid.mass[n];
+    Velocity &velocity = grid.velocity[n];
+    Point now{velocity.x, velocity.y}, impulse = Point::Zero();
+    for (int c = 0; c < 2; ++c)
+      if (held[c])
+      {
+        impulse[c] = mass * (v[c] - now[c]);
+        now[c] = v[c];
+        if (!grid.change.empty())
+          (c == 0 ? grid.change[n].x : grid.change[n].y) =
+              v[c] - (mass > 0. ? node.momentum()[c] / mass : v[c]);
+        node.motion[2 * c] = mass * v[c];
+      }
+    velocity = {now[0], now[1]};
+    if (!support || !book)
+      return;
+    support->impulse += impulse, support->call_impulse += impulse;
+    supports.work += impulse.dot(v), supports.work_done += std::abs(impulse.dot(v));
+    supports.speed = std::max(supports.speed, v.norm());
+  }
+
   Point Motion::at(const Point &X, const Point &x, const double t) const
   {
     if (driven)
@@ -166,21 +161,19 @@ namespace solid
   }
 
   void hold(Supports &supports, const Scheme &scheme, const Points &points,
-            const Fraction &fraction, Grid &grid, const double t, const double dt, const bool book)
+            const Fraction &fraction, const Acceleration &acceleration,
+            const double inverse_density, Grid &grid, const double t, const double dt,
+            const bool book)
   {
     supports.speed = 0.;
+    if (!supports.driven.empty())
+    {
+      prescribe(supports, scheme, points, fraction, acceleration, inverse_density, grid, t, dt,
+                book);
+      hold_driven(supports, grid, book);
+    }
     for (std::size_t l = 0; l < supports.lines.size(); ++l)
       hold_line(supports, supports.lines[l], supports.folds.lines[l], grid, t, dt, book);
-    for (DrivenRegion &region : supports.driven)
-    {
-      Support &support = supports.all[region.support];
-      project(region, support.motion, scheme, supports.folds, points, fraction, grid, t, dt);
-      const std::array<bool, 2> held{support.motion.holds(0), support.motion.holds(1)};
-      for (std::size_t n = 0; n < region.sums.size(); ++n)
-        if (const auto &[mass, px, py] = region.sums[n]; mass > driven_share * grid.mass[n])
-          give(supports, &support, grid, static_cast<std::ptrdiff_t>(n), held,
-               {px / mass, py / mass}, book);
-    }
   }
 
   void carry(Supports &supports, Points &points, Tracers &tracers, const Fraction &fraction,
@@ -207,7 +200,6 @@ namespace solid
           if (tracer.grip == static_cast<int>(g))
             tracer.x = tracer.X + u;
     }
-    for (const DrivenRegion &region : supports.driven)
-      carry_driven(supports, region, points, fraction, t, dt);
+    carry_driven(supports, points);
   }
 } // namespace solid

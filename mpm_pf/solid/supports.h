@@ -9,7 +9,7 @@
 // the cells with the grip, so that the gauge length is exact. Any other region, and one with
 // material around a corner of its box, is *driven*: the displacement increments of its points are
 // projected on the nodes with their masses and gradients, which is exact for affine motions, and
-// the nodes of which a ninth of the mass is driven take them.
+// nodes take them, those around the sides of the box as driven_sides.cc says.
 //
 // Every prescribed velocity is an increment of displacement over dt, so prescribed positions never
 // drift. The reaction is the momentum which the nodes are given beyond Eq. (4), over dt.
@@ -79,13 +79,37 @@ namespace solid
     int region = 0; // bit of its points
   };
 
+  /// What the points of a driven region say about a node near them: weighted sums.
+  struct Cover
+  {
+    double weight = 0.;
+    Point velocity = Point::Zero();                  // prescribed, over the step to come
+    Point origin = Point::Zero();                    // where what is at the node came from, X
+    Eigen::Matrix2d slope = Eigen::Matrix2d::Zero(); // dX/dx
+  };
+
   /// Points whose bit `region` is set are driven.
   struct DrivenRegion
   {
     int support = 0;
     int region = 0;
-    std::vector<std::array<double, 3>> sums; // mass and momentum by node, of driven points
-    std::vector<Point> increment; // of displacement over the step, by order of the points
+    scene::Box box;
+    std::array<std::array<bool, 2>, 2> open; // [axis][upper]: other material beyond that side
+    std::vector<Cover> covers;               // by node
+  };
+
+  /// Of what a node holds in one component, the part of points driven in that component.
+  struct DrivenPart
+  {
+    double mass = 0., momentum = 0., impulse = 0.; // the last by the step's forces
+  };
+
+  /// What a point is to do in the step to come, by component; support -1: the component is free.
+  struct Prescribed
+  {
+    std::array<int, 2> support{-1, -1};
+    Point velocity = Point::Zero(), position = Point::Zero(); // the latter at its end
+    Eigen::Matrix2d gradient = Eigen::Matrix2d::Zero();       // of the velocity
   };
 
   struct Supports
@@ -94,6 +118,9 @@ namespace solid
     std::vector<HeldLine> lines;
     std::vector<Grip> grips;
     std::vector<DrivenRegion> driven;
+    // Only if there are driven regions, by node and by point:
+    std::vector<std::array<DrivenPart, 2>> driven_parts;
+    std::vector<Prescribed> prescribed;
     FoldTable folds;
     std::vector<std::ptrdiff_t> marked; // nodes whose fold is set
     double speed = 0.;                  // largest prescribed in the last step
@@ -132,22 +159,37 @@ namespace solid
   /// Lines to where they are at time t, and the folds into the grid.
   void place(Supports &, const Tracers &, Grid &, double t);
 
-  /// Node velocities after forces to what supports ask for over [t, t + dt]; reactions, if `book`.
-  void hold(Supports &, const Scheme &, const Points &, const Fraction &, Grid &, double t,
-            double dt, bool book = true);
+  /// Node velocities after forces to what supports ask for over [t, t + dt]; reactions, if `book`,
+  /// else the forces were left out.
+  void hold(Supports &, const Scheme &, const Points &, const Fraction &, const Acceleration &,
+            double inverse_density, Grid &, double t, double dt, bool book = true);
+
+  /// Give a node the velocity v in the held components; the momentum that takes is the reaction.
+  void give(Supports &, Support *, Grid &, std::ptrdiff_t node, const std::array<bool, 2> &held,
+            const Point &v, bool book);
 
   /// Points and tracers with prescribed positions to time t + dt.
   void carry(Supports &, Points &, Tracers &, const Fraction &, double t, double dt);
 
-  /// Driven points' displacement increments on the nodes, and their exact positions afterwards.
-  void project(DrivenRegion &, const Motion &, const Scheme &, const FoldTable &, const Points &,
-               const Fraction &, const Grid &, double t, double dt);
+  /// What driven points are to do over [t, t + dt], by point and for the nodes around them, and
+  /// their parts of the nodes; what it takes, if `book`.
+  void prescribe(Supports &, const Scheme &, const Points &, const Fraction &, const Acceleration &,
+                 double inverse_density, const Grid &, double t, double dt, bool book);
 
-  /// Driven points to where they belong at t + dt. Nodes that they share with free points are not
-  /// held, so that what the points bring back from the grid still differs from what is prescribed;
-  /// giving it to them takes an impulse and work, which the support's reaction and account get.
-  void carry_driven(Supports &, const DrivenRegion &, Points &, const Fraction &, double t,
-                    double dt);
+  /// The nodes in and around driven boxes, see driven_sides.cc.
+  void hold_driven(Supports &, Grid &, bool book);
+
+  /// Driven points among [begin, end) move and strain as prescribed, not as the nodes that they
+  /// share with others.
+  void move_as_prescribed(const Supports &, Points &, bool gradient_only, std::size_t begin,
+                          std::size_t end);
+
+  /// Driven points to where they belong at the step's end.
+  void carry_driven(const Supports &, Points &);
+
+  /// Sides of the support's box beyond which there is material that no other box holds as well,
+  /// [axis][upper].
+  std::array<std::array<bool, 2>, 2> open_sides(const scene::Scene &, const scene::Support &);
 
   /// Largest speed that any support ever asks for up to `end`, by samples.
   double largest_prescribed_speed(const Supports &, double end);

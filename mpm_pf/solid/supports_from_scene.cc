@@ -222,7 +222,7 @@ namespace solid
       support.corners = {lower, upper, {lower[0], upper[1]}, {upper[0], lower[1]}};
       if (!rigid)
       {
-        build.supports.driven.push_back({index, region, {}, {}});
+        build.supports.driven.push_back({index, region, box, open_sides(build.scene, asked), {}});
         return;
       }
       const int grip = static_cast<int>(build.supports.grips.size());

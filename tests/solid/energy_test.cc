@@ -16,8 +16,7 @@ namespace
     const solid::History history = solid::history(solid);
     double sum = 0.;
     for (std::size_t k = 0; k < history.row.size(); ++k)
-      if (history.names[k] == "kinetic_energy" ||
-          history.names[k] == "elastic_energy")
+      if (history.names[k] == "kinetic_energy" || history.names[k] == "elastic_energy")
         sum += history.row[k];
     return sum;
   }
@@ -88,8 +87,9 @@ TEST(Energy, OfASwingingCantileverIsKeptWhenStressesComeFirst)
   EXPECT_LT(first, 0.2 * lost_by_cantilever(Transfer::flip, 1., StressUpdate::last));
 }
 
-// Motion prescribed inside a body: nodes at its rim are shared with free points and not held, so
-// what the driven points are given after the grid counts too.
+// Motion prescribed inside a body: at nodes that driven points share with free ones each has its
+// own account. What is left is what the transfers take, 0.5 %, or 0.8 % with a quarter of the step.
+// Charged for what the nodes do, driven points gain 1.3 %, or 7 %, from nowhere.
 TEST(Energy, OfMotionPrescribedInsideABodyIsBookedWithItsImpulse)
 {
   scene::Scene scene = small::rectangle({1.03, 1.02}, {2., 2.}, {4., 4.}, {32, 32});
@@ -106,5 +106,5 @@ TEST(Energy, OfMotionPrescribedInsideABodyIsBookedWithItsImpulse)
   const double given = solid::reaction(*block, "rim").impulse[0];
   EXPECT_NEAR(given, value("momentum_x"), 1e-10 * given);
   EXPECT_GT(value("external_work"), value("kinetic_energy") + value("elastic_energy"));
-  EXPECT_LT(value("energy_balance"), 0.2 * value("external_work"));
+  EXPECT_LT(value("energy_balance"), 0.01 * value("external_work"));
 }

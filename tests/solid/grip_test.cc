@@ -1,6 +1,8 @@
 // A held box with material around its corners: a disc that hangs on a patch of its inside.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "small_scenes.h"
 
 TEST(Grip, WithMaterialAroundItsCornersHoldsAndCarriesTheWeight)
@@ -22,7 +24,9 @@ TEST(Grip, WithMaterialAroundItsCornersHoldsAndCarriesTheWeight)
     const double given = -10. * value("mass") * (0.5 * 0.2 + 0.4);
     EXPECT_NEAR(solid::reaction(*disc, "foot").impulse[1], value("momentum_y") - given,
                 2e-3 * std::abs(given));
+    // The transfers take 0.4 and 0.6 %; driven points that rest must take nothing.
     EXPECT_GT(value("energy_balance"), -1e-3 * value("external_work"));
+    EXPECT_LT(value("energy_balance"), 0.012 * value("external_work"));
   }
 }
 
@@ -54,21 +58,79 @@ TEST(Grip, TakesTheWorkOfItsOwnMotion)
   EXPECT_LT(std::abs(value("energy_balance")), 0.02 * value("external_work"));
 }
 
-// A bar eight cells long between a held edge and a box that pulls but leaves the other direction
-// free: the clamp is at the side of the box to two thirds of a cell, however the cells lie.
-TEST(Driven, BoxClampsAtItsSide)
+namespace
+{
+  // The bar [0, 5.5] x [0, 1] on a mesh that lies `shift` cells off, so that sides cut cells.
+  scene::Scene shifted_bar(const int cells, const double shift)
+  {
+    const double dx = 1. / cells;
+    scene::Scene scene = small::rectangle({0., 0.}, {5.5, 1.}, {8., 3.}, {8 * cells, 3 * cells});
+    scene.domain.lower = {-1. - shift * dx, -1. - 0.37 * shift * dx};
+    return scene;
+  }
+
+  // Clamped at its left edge and, by a driven box, from x = 4 on, which moves sideways.
+  double bending_force(const int cells, const double shift)
+  {
+    scene::Scene scene = shifted_bar(cells, shift);
+    small::hold(scene, "left", scene::Edge::left, "0", "0");
+    small::hold(scene, "box", scene::Box{{4., -0.5}, {6., 1.5}}, "0*X", "0.02*smooth(t, 6)");
+    const solid::Owner bar = solid::make_solid(scene);
+    solid::advance(*bar, 6.);
+    solid::advance(*bar, 2.); // a period of the bar: the mean of what still rings
+    return solid::reaction(*bar, "box").force[1];
+  }
+} // namespace
+
+// fe_reference: 0.28799, 0.28798 and 0.28798 with elements of 1/8, 1/16 and 1/32. The errors found
+// are up to 1.6 % with 4 cells to the bar's height, 0.4 % with 8 and 0.1 % with 16, a rigid grip's
+// own; a side that sits only half a cell off is wrong by 9 % with 4 cells.
+TEST(Driven, BoxClampsABarInBendingWhereItsSideIs)
+{
+  for (const double shift : {0., 0.25, 0.5, 0.75})
+    EXPECT_NEAR(bending_force(4, shift) / 0.28798, 1., 0.02) << shift;
+  EXPECT_NEAR(bending_force(8, 0.25) / 0.28798, 1., 0.005);
+}
+
+// fe_reference: 21.7848, 21.7839 and 21.7839 with elements of 1/4, 1/8 and 1/16. The errors found
+// are up to 0.1 % with 4 cells to the bar's height and 0.04 % with 8.
+TEST(Driven, BoxesPullWithTheLengthBetweenTheirSides)
 {
   for (const double shift : {0., 0.25, 0.5, 0.75})
   {
-    const double x = 1. + 0.25 * shift;
-    scene::Scene scene = small::rectangle({x, 1.}, {3., 1.}, {5., 3.}, {20, 12});
-    small::hold(scene, "left", scene::Edge::left, "0", std::nullopt);
-    small::hold(scene, "box", scene::Box{{x + 2., 0.}, {5., 3.}}, "2e-3*smooth(t, 3)",
+    scene::Scene scene = shifted_bar(4, shift);
+    small::hold(scene, "left", scene::Box{{-0.5, -0.5}, {1., 1.5}}, "-0.03*smooth(t, 6)",
+                std::nullopt);
+    small::hold(scene, "right", scene::Box{{4., -0.5}, {6., 1.5}}, "0.03*smooth(t, 6)",
                 std::nullopt);
     const solid::Owner bar = solid::make_solid(scene);
-    solid::advance(*bar, 3.2);
-    solid::advance(*bar, 0.5);
-    const double length = 1000. / 0.91 * 2e-3 / solid::reaction(*bar, "box").force[0];
-    EXPECT_NEAR(length, 2., 0.67 * 0.25) << shift;
+    solid::advance(*bar, 6.);
+    solid::advance(*bar, 1.);
+    EXPECT_NEAR(solid::reaction(*bar, "right").force[0] / 21.784, 1., 0.002) << shift;
+    EXPECT_NEAR(solid::reaction(*bar, "left").force[0] / -21.784, 1., 0.002) << shift;
   }
+}
+
+// Four boxes around a free middle that follows an affine motion as well, if in its corners the
+// functions of the free material vanish on both sides: else points there are wrong by 7 to 9 %.
+// Beside sides that have moved off the points' cells 1.9 % are left, less than 0.1 % two cells on.
+TEST(Driven, BoxesAroundACornerKeepAnAffineMotion)
+{
+  scene::Scene scene = small::rectangle({1.0375, 1.0625}, {2., 1.75}, {4., 4.}, {32, 32});
+  const auto rim = [&](const std::string &name, const scene::Point &lower, const scene::Point &size)
+  {
+    small::hold(scene, name, scene::Box{lower, lower + size}, "0.03*smooth(t, 4)*(X - 1)",
+                "0.03*smooth(t, 4)*(Y - 1)");
+  };
+  rim("left", {1.0375, 1.0625}, {0.25, 1.75});
+  rim("right", {2.7875, 1.0625}, {0.25, 1.75});
+  rim("lower", {1.2875, 1.0625}, {1.5, 0.25});
+  rim("upper", {1.2875, 2.5625}, {1.5, 0.25});
+  const solid::Owner block = solid::make_solid(scene);
+  solid::advance(*block, 4.5);
+  const double stress = 1000. / (1.3 * 0.4) * std::log(1.03);
+  const record::Snapshot points = solid::snapshot(*block, {"stress_xx", "stress_yy"});
+  for (const std::string of : {"stress_xx", "stress_yy"})
+    for (const double s : points.fields.at(of))
+      ASSERT_NEAR(s / stress, 1., 0.03) << of;
 }
