@@ -63,7 +63,7 @@ namespace solid
     {
       std::vector<double> packed;
       for (const Tracer &t : outline)
-        packed.insert(packed.end(), {t.X[0], t.X[1], t.x[0], t.x[1], static_cast<double>(t.line),
+        packed.insert(packed.end(), {t.X[0], t.X[1], t.x[0], t.x[1], static_cast<double>(t.lines),
                                      static_cast<double>(t.grip), static_cast<double>(t.loads)});
       return packed;
     }
@@ -74,7 +74,7 @@ namespace solid
       for (std::size_t k = 0; k + per_tracer <= packed.size(); k += per_tracer)
         outline.push_back({{packed[k], packed[k + 1]},
                            {packed[k + 2], packed[k + 3]},
-                           static_cast<int>(packed[k + 4]),
+                           static_cast<std::uint32_t>(packed[k + 4]),
                            static_cast<int>(packed[k + 5]),
                            static_cast<std::uint32_t>(packed[k + 6])});
       return outline;

@@ -33,8 +33,7 @@ namespace solid
           }
           const auto [X, x] = on_chord(outline, k, low);
           const Tracer &a = outline[k], &b = outline[(k + 1) % outline.size()];
-          split.push_back(
-              {X, x, a.line == b.line ? a.line : -1, a.grip == b.grip ? a.grip : -1, a.loads});
+          split.push_back({X, x, a.lines & b.lines, a.grip == b.grip ? a.grip : -1, a.loads});
         }
       }
       outline = std::move(split);

@@ -13,7 +13,7 @@ namespace solid
     constexpr std::array<double, 2> folded{1., 1.};
 
     void place_line(const std::vector<Support> &supports, const Tracers &tracers, HeldLine &line,
-                    const int index, const double t)
+                    const double t)
     {
       if (line.support < 0)
         return;
@@ -31,7 +31,7 @@ namespace solid
         }
         line.position = line.initial + shift;
       }
-      if (!line.follows_tracers)
+      if (line.bit == 0)
       {
         Point X;
         X[line.axis] = line.initial, X[along] = line.from;
@@ -44,7 +44,7 @@ namespace solid
       line.lower = std::numeric_limits<double>::max(), line.upper = -line.lower;
       for (const auto &outline : tracers.outlines)
         for (const Tracer &tracer : outline)
-          if (tracer.line == index)
+          if (tracer.lines & line.bit)
           {
             line.lower = std::min(line.lower, tracer.x[along]);
             line.upper = std::max(line.upper, tracer.x[along]);
@@ -150,7 +150,7 @@ namespace solid
     for (std::size_t l = 0; l < supports.lines.size(); ++l)
     {
       HeldLine &line = supports.lines[l];
-      place_line(supports.all, tracers, line, static_cast<int>(l), t);
+      place_line(supports.all, tracers, line, t);
       const Fold fold = fold_at(line.position, line.side, grid.lower[line.axis], grid.dx);
       supports.folds.lines.push_back(fold);
       for (const int row : {fold.carrier(), fold.master})

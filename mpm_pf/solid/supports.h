@@ -65,7 +65,7 @@ namespace solid
     int side = 1;                            // +1: material at larger coordinates
     double initial = 0., from = 0., to = 0.; // position and extent at the start
     std::array<bool, 2> held{true, true};
-    bool follows_tracers = false;                 // an edge: its extent is that of its tracers
+    std::uint32_t bit = 0;                        // of the tracers whose extent an edge has, or 0
     std::array<double, 2> overhang{0., 0.};       // and so far beyond the first and the last
     std::array<double, 2> reach{3., 3.};          // cells beyond its ends in which nodes are held
     bool contact = false;                         // a wall: holds only what touches it, see walls.h

@@ -24,7 +24,7 @@ namespace solid
       Supports &supports;
       scene::Box box;
       double dx;
-      int regions = 0;
+      int regions = 0, edges = 0;
 
       bool material(const Point &x) const
       {
@@ -54,7 +54,6 @@ namespace solid
     HeldLine straight(const Builder &build, const scene::Support &asked)
     {
       HeldLine line;
-      line.follows_tracers = true;
       if (const auto *edge = std::get_if<scene::Edge>(&asked.where))
       {
         line.axis = *edge == scene::Edge::left || *edge == scene::Edge::right ? 0 : 1;
@@ -142,13 +141,14 @@ namespace solid
         const bool gap = s > line.to + 0.75 * build.dx;
         if (tracer == found.front().second || gap)
         {
-          line.from = s;
+          if (build.edges >= 32)
+            refuse(asked, "is the 33rd piece of outline; at most 32 can be held");
+          line.from = s, line.bit = 1u << build.edges++;
           build.supports.lines.push_back(line);
         }
         line.to = s;
         build.supports.lines.back().to = s;
-        if (tracer->line < 0)
-          tracer->line = static_cast<int>(build.supports.lines.size()) - 1;
+        tracer->lines |= line.bit;
         support.corners.push_back(tracer->X);
       }
       support.middle = 0.5 * (found.front().second->X + found.back().second->X);

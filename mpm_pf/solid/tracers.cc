@@ -12,7 +12,7 @@ namespace solid
     {
       tracers.outlines.emplace_back();
       for (const Point &X : line)
-        tracers.outlines.back().push_back({X, X, -1, -1, 0});
+        tracers.outlines.back().push_back({X, X, 0, -1, 0});
     }
     return tracers;
   }
@@ -58,8 +58,7 @@ namespace solid
         if ((b.x - a.x).squaredNorm() <= longest * longest)
           continue;
         const auto [X, x] = on_chord(outline, k, 0.5);
-        const Tracer middle{X, x, a.line == b.line ? a.line : -1, a.grip == b.grip ? a.grip : -1,
-                            a.loads};
+        const Tracer middle{X, x, a.lines & b.lines, a.grip == b.grip ? a.grip : -1, a.loads};
         outline.insert(outline.begin() + static_cast<std::ptrdiff_t>(k) + 1, middle);
       }
   }

@@ -13,7 +13,7 @@ namespace solid
   struct Tracer
   {
     Point X, x;
-    int line = -1;           // held line on which it sits
+    std::uint32_t lines = 0; // those of the held lines on which it sits, by their bits
     int grip = -1;           // rigid grip with which it moves
     std::uint32_t loads = 0; // bit k: the chord to the next tracer carries load k
   };

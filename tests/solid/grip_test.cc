@@ -134,3 +134,31 @@ TEST(Driven, BoxesAroundACornerKeepAnAffineMotion)
     for (const double s : points.fields.at(of))
       ASSERT_NEAR(s / stress, 1., 0.03) << of;
 }
+
+// An edge on rollers, and a piece of the same edge that is held sideways as well: the block, pulled
+// to the right above it, stays where it is, and the piece takes the whole pull.
+TEST(Support, OfOneComponentOnAnEdgeThatAnotherHoldsInTheOther)
+{
+  for (const bool rollers_first : {true, false})
+  {
+    scene::Scene scene = small::rectangle({0.5, 0.2}, {2., 1.}, {3., 1.5}, {30, 15});
+    const auto rollers = [&] { small::hold(scene, "rollers", scene::Edge::bottom, {}, "0"); };
+    if (rollers_first)
+      rollers();
+    small::hold(scene, "stop", scene::Segment{{1.2, 0.2}, {1.8, 0.2}}, "0", {});
+    if (!rollers_first)
+      rollers();
+    scene::Traction pull;
+    pull.name = "pull", pull.where = scene::Edge::right, pull.place = {"test", 3, "traction"};
+    pull.traction = {small::text("smooth(t, 1)"), small::text("0")};
+    scene.tractions.push_back(pull);
+    const solid::Owner block = solid::make_solid(scene);
+    solid::advance(*block, 1.);
+    const double before = solid::reaction(*block, "stop").impulse[0];
+    solid::advance(*block, 1.);
+    EXPECT_NEAR(solid::reaction(*block, "stop").impulse[0] - before, -1., 0.02) << rollers_first;
+    const double moved =
+        solid::sample_point(*block, {{1.5, 0.25}, scene::Frame::material}, {"displacement_x"})[0];
+    EXPECT_LT(std::abs(moved), 5e-4);
+  }
+}
