@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
+
+#include <unistd.h>
 
 #include "scene/geometry.h"
 #include "scene/reader.h"
@@ -53,6 +56,33 @@ namespace fe
         rectangle = {lower, upper - lower};
       }
       return bodies;
+    }
+
+    // Before the mesh eats what there is: no cell gets by with less than 5 kB, a quadratic one
+    // takes 30 kB with its part of the factors.
+    void refuse_more_than_memory(const scene::Scene &scene, const std::array<int, 2> &cells)
+    {
+      constexpr double least_bytes = 5e3;
+      const scene::Box box = cut_box(scene);
+      double area = 0.;
+      for (const auto &line :
+           scene::outline(scene.bodies, scene.domain, (box.upper - box.lower).norm() / 50.))
+        area += scene::signed_area(line);
+      const double bytes =
+          least_bytes * cells[0] * cells[1] * area / (box.upper - box.lower).prod();
+      const double has = static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
+                         static_cast<double>(sysconf(_SC_PAGE_SIZE));
+      if (bytes <= has)
+        return;
+      const bool asked = scene.fe && scene.fe->cells[0] > 0;
+      const scene::Place &place = asked ? scene.fe->place : scene.domain.place;
+      std::ostringstream text;
+      text.precision(3);
+      text << place.file << ":" << place.line << ": " << (asked ? "fe.cells" : "domain.cells")
+           << ": " << cells[0] << " x " << cells[1] << " elements over the bodies take at least "
+           << bytes / 1e9 << " GB; this machine has " << has / 1e9
+           << " GB\n  remedy: fewer fe.cells (absent, they are as fine as domain.cells)";
+      throw scene::BadScene(text.str());
     }
 
     // What is held or loaded.
@@ -139,6 +169,7 @@ namespace fe
   QuadMesh make_mesh(const scene::Scene &scene)
   {
     const std::array<int, 2> cells = wanted_cells(scene);
+    refuse_more_than_memory(scene, cells);
     const scene::Box box = cut_box(scene);
     const Point size = box.upper - box.lower;
     const double grading = scene.fe ? scene.fe->grading : 0.;

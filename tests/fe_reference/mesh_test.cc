@@ -166,6 +166,14 @@ TEST(Mesh, RefusesMaterialWithoutSupport)
   EXPECT_THROW(fe::make_mesh(scene), scene::BadScene);
 }
 
+TEST(Mesh, RefusesMoreThanTheMachineHolds)
+{
+  scene::Scene scene = fe_test::solid_scene(1e6, {100000, 100000}, 1, 1);
+  scene.bodies = {fe_test::rectangle(0., 0., 1., 1.)};
+  scene.supports = {fe_test::support("left", scene::Edge::left, "0", "0")};
+  EXPECT_THROW(fe::make_mesh(scene), scene::BadScene);
+}
+
 namespace
 {
   bool has_vertex(const fe::QuadMesh &mesh, const fe::Point &p)
