@@ -5,6 +5,7 @@
 
 #include "scene/expression.h"
 #include "scene/geometry.h"
+#include "scene/speed.h"
 
 namespace scene
 {
@@ -19,17 +20,16 @@ namespace scene
                          { return component && component->text.find('t') != std::string::npos; });
     }
 
-    double largest_speed(const Expression &displacement, const Box &box, const double end)
+    double speed_of(const Expression &displacement, const Box &box, const double end)
     {
-      constexpr int samples = 100;
       const Function at(displacement);
       double largest = 0.;
       for (const Point &X : {box.lower, box.upper})
-        for (int k = 0; k < samples; ++k)
-        {
-          const double h = end / samples;
-          largest = std::max(largest, std::abs(at({X, X, (k + 1) * h}) - at({X, X, k * h})) / h);
-        }
+        largest = std::max(largest, largest_speed(
+                                        [&](const double t) {
+                                          return Point(at({X, X, t}), 0.);
+                                        },
+                                        end));
       return largest;
     }
 
@@ -41,7 +41,7 @@ namespace scene
       for (const Support &support : s.supports)
         for (const auto &component : support.displacement)
           if (component)
-            largest = std::max(largest, largest_speed(*component, box, s.clock.end));
+            largest = std::max(largest, speed_of(*component, box, s.clock.end));
       return largest;
     }
 

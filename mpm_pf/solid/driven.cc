@@ -7,6 +7,7 @@
 // m (v^2 - v_old^2)/2 - dt m b.v + dt V sigma:C of work, with the prescribed velocity gradient C.
 #include <Eigen/LU>
 
+#include "scene/speed.h"
 #include "solid/supports.h"
 
 namespace solid
@@ -188,16 +189,15 @@ namespace solid
 
   double largest_prescribed_speed(const Supports &supports, const double end)
   {
-    constexpr int samples = 400;
     double largest = 0.;
     for (const Support &support : supports.all)
-      for (int k = 0; k < samples; ++k)
-        for (const Point &X : support.corners)
-        {
-          const double h = end / samples, t = k * h;
-          const Point step = support.motion.at(X, X, t + h) - support.motion.at(X, X, t);
-          largest = std::max(largest, step.norm() / h);
-        }
+      for (const Point &X : support.corners)
+      {
+        const auto at = [&](const double t) { return support.motion.at(X, X, t); };
+        largest = std::max(largest, scene::largest_speed(at, end));
+        if (support.motion.uniform)
+          break; // all corners move alike
+      }
     return largest;
   }
 } // namespace solid

@@ -191,6 +191,6 @@ namespace solid
   /// [axis][upper].
   std::array<std::array<bool, 2>, 2> open_sides(const scene::Scene &, const scene::Support &);
 
-  /// Largest speed that any support ever asks for up to `end`, by samples.
+  /// Largest speed that any support ever asks for up to `end`.
   double largest_prescribed_speed(const Supports &, double end);
 } // namespace solid

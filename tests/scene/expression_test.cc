@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "scene/expression.h"
+#include "scene/speed.h"
 
 namespace
 {
@@ -109,4 +110,33 @@ TEST(Expression, ComparesWithoutAssigning)
 {
   EXPECT_EQ(value("t <= 1 ? 2 : 3"), 2.);
   EXPECT_EQ(value("t == 0 && x != 1 ? 2 : 3"), 2.);
+}
+
+// A short rise counts with its own slope, 15/8 of the mean at its middle, and no period hides
+// between the times that are looked at.
+TEST(LargestSpeed, IsFoundHoweverShortTheRise)
+{
+  const auto of = [](const std::string &text)
+  {
+    const scene::Function f = function(text);
+    return scene::largest_speed(
+        [&](const double t) {
+          return scene::Point(f({scene::Point::Zero(), scene::Point::Zero(), t}), 0.);
+        },
+        100.);
+  };
+  EXPECT_EQ(of("0"), 0.);
+  EXPECT_NEAR(of("0.3*t"), 0.3, 1e-12);
+  EXPECT_NEAR(of("0.4*ramp(t, 5)"), 0.4, 1e-6);
+  for (const std::string rise : {"30", "1", "0.1", "0.002"})
+    EXPECT_NEAR(of("0.01*smooth(t - 37, " + rise + ")"), 0.01 * 1.875 / std::stod(rise),
+                0.02 * 0.01 * 1.875 / std::stod(rise))
+        << rise;
+  for (const double cycles : {1., 400., 4000.})
+  {
+    const double frequency = 2. * std::acos(-1.) * cycles / 100.;
+    EXPECT_NEAR(of("0.01*sin(" + std::to_string(frequency) + "*t)"), 0.01 * frequency,
+                0.02 * 0.01 * frequency)
+        << cycles;
+  }
 }
