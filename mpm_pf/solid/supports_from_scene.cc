@@ -133,9 +133,9 @@ namespace solid
       std::sort(found.begin(), found.end(),
                 [](const auto &a, const auto &b) { return a.first < b.first; });
       if (found.empty() || found.back().first - found.front().first < 0.25 * build.dx)
-        refuse(asked,
-               "touches no straight piece of the outline; name an edge or a segment on it, or a "
-               "box of material");
+        refuse(asked, "holds less of the outline than the half cell (" +
+                          std::to_string(0.5 * build.dx) +
+                          ") that can be held; name a longer straight piece, or a box of material");
       for (const auto &[s, tracer] : found)
       {
         const bool gap = s > line.to + 0.75 * build.dx;
