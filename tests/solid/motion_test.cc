@@ -88,6 +88,23 @@ TEST(Objectivity, DrivenRotationTurnsStressWithoutStraining)
   EXPECT_NEAR(mean(*block, "area"), 1., 1e-6);
 }
 
+// Sheared at the rate g, all of it driven: plastic strain grows by g/sqrt(3), and by Eq. (6) von
+// Mises stands at sigma_Y + eta g/sqrt(3), once eta/(3 G) has passed.
+TEST(Perzyna, BlockShearedAtARateStandsAboveTheYieldStress)
+{
+  for (const double viscosity : {1., 10.})
+  {
+    const double rate = 0.1;
+    scene::Scene scene = small::rectangle({1., 1.}, {1., 1.}, {3., 3.}, {15, 15});
+    scene.solid->yield_stress = 1., scene.solid->viscosity = viscosity;
+    small::hold(scene, "all", scene::Box{{0.9, 0.9}, {2.1, 2.1}}, "0.1*t*(Y - 1.5)", "0");
+    const solid::Owner block = solid::make_solid(scene);
+    solid::advance(*block, 0.5);
+    EXPECT_NEAR(mean(*block, "von_mises"), 1. + viscosity * rate / std::sqrt(3.), 2e-3)
+        << "eta = " << viscosity;
+  }
+}
+
 // Timoshenko's plane-strain field; a clamp instead of its root displacement is stiffer by less than
 // 1 %.
 TEST(Cantilever, BendsLikeTimoshenkos)
