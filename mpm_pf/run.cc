@@ -10,6 +10,7 @@
 #include "inertia.h"
 #include "medium/trouble.h"
 #include "plan.h"
+#include "quadrature.h"
 #include "record/checkpoint.h"
 #include "record/progress.h"
 #include "simulate.h"
@@ -141,8 +142,9 @@ namespace
   int Session::complete()
   {
     std::string warning = recorder->warning();
-    if (const std::string scaling = warning_on_scaling(world); !scaling.empty())
-      warning += (warning.empty() ? "" : "; ") + scaling;
+    for (const std::string &doubt : {warning_on_scaling(world), warning_on_quadrature(world)})
+      if (!doubt.empty())
+        warning += (warning.empty() ? "" : "; ") + doubt;
     if (!warning.empty())
     {
       std::cerr << "mpm_pf: " << warning << '\n';
