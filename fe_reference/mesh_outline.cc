@@ -7,6 +7,7 @@
 
 #include "mesh.h"
 #include "scene/geometry.h"
+#include "scene/reader.h"
 #include "simplify_outline.h"
 #include "support_lines.h"
 
@@ -161,6 +162,14 @@ namespace fe
       }
       return mesh;
     }
+
+    [[noreturn]] void refuse_crossing(const scene::Place &place)
+    {
+      throw scene::BadScene(place.file + ":" + std::to_string(place.line) +
+                            ": body: the bodies' outline crosses or touches itself and cannot be "
+                            "meshed\n  remedy: mend the outline; with coarse [fe] cells across a "
+                            "narrow gap, finer ones");
+    }
   } // namespace
 
   QuadMesh mesh_outline(const std::vector<scene::Body> &bodies, const scene::Domain &domain,
@@ -174,6 +183,8 @@ namespace fe
     {
       outline = simplify_outline(outline, 0.02 * size, 0.5 * size);
       outline = with_ends(outline, parts, 0.05 * size);
+      if (scene::crosses_itself(outline)) // what gmsh then throws cannot be caught
+        refuse_crossing(bodies.front().place);
     }
     const Session session;
     gmsh::model::add("outline");

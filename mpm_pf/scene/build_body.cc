@@ -93,6 +93,12 @@ namespace scene
                            "remove the repeated point");
             break;
           }
+        if (!complaints.about(at) && crosses_itself(line))
+          complaints.add(
+              at, "the outline crosses or touches itself",
+              "a line around the body that meets itself nowhere",
+              "list the vertices in order around the body; separate pieces and holes are "
+              "outlines of their own");
       }
     }
   } // namespace

@@ -28,6 +28,9 @@ namespace scene
   /// The same, with what lies beyond the symmetry sides of `domain` cut off.
   std::vector<Polyline> outline(const std::vector<Body> &, const Domain &, double spacing);
 
+  /// Do two sides of a closed polyline meet other than at their common vertex?
+  bool crosses_itself(const Polyline &);
+
   /// Area by the shoelace formula, positive for counter-clockwise.
   double signed_area(const Polyline &);
 

@@ -173,4 +173,20 @@ namespace scene
     bg::intersection(union_of(bodies, spacing), window, inside);
     return subdivided(lines_of(inside), spacing);
   }
+
+  bool crosses_itself(const Polyline &line)
+  {
+    for (std::size_t k = 0; k < line.size(); ++k)
+    {
+      const Point &at = line[(k + 1) % line.size()];
+      const Point in = at - line[k], out = line[(k + 2) % line.size()] - at;
+      const double turn = in[0] * out[1] - in[1] * out[0];
+      if (in.dot(out) < 0. && std::abs(turn) <= 1e-12 * in.norm() * out.norm())
+        return true; // a spike, back along the side that it came
+    }
+    bg::model::ring<Vertex, false, false> ring;
+    for (const Point &p : line)
+      bg::append(ring, Vertex(p[0], p[1]));
+    return bg::intersects(ring);
+  }
 } // namespace scene

@@ -166,6 +166,15 @@ TEST(Mesh, RefusesMaterialWithoutSupport)
   EXPECT_THROW(fe::make_mesh(scene), scene::BadScene);
 }
 
+// Scenes with such outlines are refused when they are read; a record's outline is not looked at.
+TEST(OutlineMesh, SaysWhatItCannotMesh)
+{
+  scene::Scene scene = fe_test::solid_scene(1e6, {20, 20}, 1, 1);
+  scene.bodies = {fe_test::rectangle(0., 0., 1., 1.)};
+  scene.bodies[0].shape = scene::Polygon{{{{0., 0.}, {1., 0.}, {0.1, 1.}, {1., 1.}}}};
+  EXPECT_THROW(fe::make_mesh(scene), scene::BadScene);
+}
+
 TEST(Mesh, RefusesMoreThanTheMachineHolds)
 {
   scene::Scene scene = fe_test::solid_scene(1e6, {100000, 100000}, 1, 1);
