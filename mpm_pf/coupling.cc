@@ -133,7 +133,11 @@ void impose(World &w, const double dt)
 void wake_solid(World &w)
 {
   if (grows_its_points(w) && !solid::active(*w.solid) && pressed_upon(w))
+  {
     solid::activate(*w.solid, crystal(w), w.time);
+    if (w.time == 0. && !w.walls)
+      solid::start_as(*w.solid, w.scene->bodies);
+  }
 }
 
 void move_solid(World &w, const double dt)

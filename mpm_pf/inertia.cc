@@ -17,17 +17,36 @@ namespace
          << " %";
     return text.str();
   }
+
+  scene::Edge opposite_of(const scene::Edge side)
+  {
+    using scene::Edge;
+    switch (side)
+    {
+    case Edge::left:
+      return Edge::right;
+    case Edge::right:
+      return Edge::left;
+    case Edge::bottom:
+      return Edge::top;
+    default:
+      return Edge::bottom;
+    }
+  }
 } // namespace
 
 Inertia inertia(const World &world)
 {
-  const auto &wall = world.walls->walls.front();
-  const bool mirrored =
-      world.walls->walls.size() == 1 &&
-      world.mesh->side(wall.axis() == 0 ? scene::Edge::left : scene::Edge::bottom) ==
-          scene::Boundary::symmetry;
-  const double span = wall.touched ? wall.span_at_touch : world.scene->domain.size[wall.axis()];
+  const auto &walls = world.walls->walls;
+  // The fastest: one at rest only holds what the other pushes.
+  const auto &wall = *std::max_element(walls.begin(), walls.end(),
+                                       [](const medium::Wall &a, const medium::Wall &b)
+                                       { return a.asked.speed < b.asked.speed; });
+  const scene::Edge opposite = opposite_of(wall.side);
   Inertia found;
+  found.opposed = world.walls->at(opposite) != nullptr;
+  const bool mirrored = !found.opposed && world.mesh->side(opposite) == scene::Boundary::symmetry;
+  const double span = wall.touched ? wall.span_at_touch : world.scene->domain.size[wall.axis()];
   found.arm = mirrored ? span : span / 2.;
   found.numbers = solid::quasi_static(*world.solid, found.arm, wall.asked.speed);
   return found;
@@ -39,15 +58,14 @@ std::string verdict_on_inertia(const World &world)
     return {};
   const Inertia now = inertia(world);
   const double alone = now.compression(), reached = medium::compression(*world.walls);
-  const bool opposed = world.walls->walls.size() > 1;
   std::string text = "inertia alone takes " + percent(alone) +
                      " of compression to stop an arm; kinetic energy is " +
                      percent(now.numbers.kinetic_to_internal) + " of the internal";
-  if (opposed)
+  if (now.opposed)
     text += "; opposite wall forces differ by " + percent(now.numbers.force_imbalance);
   // Twice the travel of one yield stress: beyond it the arm has been brought to speed.
   const bool still =
-      now.numbers.kinetic_to_internal < 0.05 && (!opposed || now.numbers.force_imbalance < 0.1);
+      now.numbers.kinetic_to_internal < 0.05 && (!now.opposed || now.numbers.force_imbalance < 0.1);
   if (still && 2. * alone < reached)
     text += ": quasi-static beyond " + percent(2. * alone);
   else

@@ -10,7 +10,8 @@
 
 struct Inertia
 {
-  double arm = 0.; // of the crystal before one wall, length
+  double arm = 0.;      // of the crystal before the fastest wall, length
+  bool opposed = false; // is there a wall on the other side?
   solid::QuasiStatic numbers;
   /// Share of compression that inertia alone accounts for.
   double compression() const { return arm > 0. ? numbers.inertia_travel / arm : 0.; }

@@ -149,6 +149,14 @@ namespace scene
                      : std::any_of(body.velocity.begin(), body.velocity.end(), timed))
             in.complain(*value, "an initial value that depends on t", "expressions of X and Y",
                         "remove t");
+          if (in.present("growth") && in.present("wall"))
+            in.complain(*value,
+                        std::string(key) +
+                            " of a crystal that grows between walls: it has material, at rest and "
+                            "free of stress, once a wall touches it",
+                        "crystals without walls start with a " +
+                            std::string(stress ? "stress" : "velocity"),
+                        "remove the key, or the walls");
         }
     }
   }

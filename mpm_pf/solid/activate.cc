@@ -1,7 +1,10 @@
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "solid/energy.h"
 #include "solid/ledger.h"
+#include "solid/seeding.h"
 #include "solid/splitting.h"
 
 namespace solid
@@ -95,5 +98,14 @@ namespace solid
     square_edges(solid.points, solid.material.density, 0);
     solid.time = time;
     solid.grid.drift = solid.grid.dx; // sort before anything moves
+  }
+
+  void start_as(Solid &solid, const std::vector<scene::Body> &bodies)
+  {
+    const Points &points = solid.points;
+    initialise(solid.points, solid.fraction, 0, bodies, 1e-4 * solid.grid.dx);
+    for (std::size_t p = 0; p < points.size(); ++p)
+      solid.speed = std::max(solid.speed, std::hypot(points.vx[p], points.vy[p]));
+    solid.energy.start = kinetic_energy(solid) + elastic_energy(solid);
   }
 } // namespace solid

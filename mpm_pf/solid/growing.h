@@ -35,6 +35,8 @@ namespace solid
   /// below a quarter of a point's share are owed. Throws std::logic_error if the solid already has
   /// points.
   void activate(Solid &, const Crystal &, double time);
+  /// What the bodies start with, velocity and stress, for the points just made from them.
+  void start_as(Solid &, const std::vector<scene::Body> &);
 
   /// Remember the areas from which growth starts. Nothing happens before activation.
   void before_growth(Solid &, const Crystal &);

@@ -207,35 +207,34 @@ namespace solid
       const Point right = X + h * Point::Unit(k), left = X - h * Point::Unit(k);
       return (f({right, right, 0.}) - f({left, left, 0.})) / (2. * h);
     }
+  } // namespace
 
-    // Initial velocity and stress belong to the body that a point is deepest in.
-    void initialise(Points &points, const Fraction &fraction, const std::size_t begin,
-                    const std::vector<scene::Body> &bodies, const double h)
+  void initialise(Points &points, const Fraction &fraction, const std::size_t begin,
+                  const std::vector<scene::Body> &bodies, const double h)
+  {
+    for (const scene::Body &body : bodies)
     {
-      for (const scene::Body &body : bodies)
+      const scene::Function vx(body.velocity[0]), vy(body.velocity[1]);
+      std::vector<scene::Function> stress;
+      if (body.initial_stress)
+        for (const scene::Expression &component : *body.initial_stress)
+          stress.emplace_back(component);
+      for (std::size_t p = begin; p < points.size(); ++p)
       {
-        const scene::Function vx(body.velocity[0]), vy(body.velocity[1]);
-        std::vector<scene::Function> stress;
-        if (body.initial_stress)
-          for (const scene::Expression &component : *body.initial_stress)
-            stress.emplace_back(component);
-        for (std::size_t p = begin; p < points.size(); ++p)
-        {
-          const Point X = fraction.initial(points, p);
-          if (bodies.size() > 1 && scene::signed_distance(body, X) <
-                                       scene::signed_distance(bodies, X) - 1e-12 * (1. + X.norm()))
-            continue;
-          const scene::Argument at{X, X, 0.};
-          points.vx[p] = vx(at), points.vy[p] = vy(at);
-          points.lxx[p] = slope(vx, X, 0, h), points.lxy[p] = slope(vx, X, 1, h);
-          points.lyx[p] = slope(vy, X, 0, h), points.lyy[p] = slope(vy, X, 1, h);
-          if (!stress.empty())
-            points.sxx[p] = stress[0](at), points.syy[p] = stress[1](at),
-            points.szz[p] = stress[2](at), points.sxy[p] = stress[3](at);
-        }
+        const Point X = fraction.initial(points, p);
+        if (bodies.size() > 1 && scene::signed_distance(body, X) <
+                                     scene::signed_distance(bodies, X) - 1e-12 * (1. + X.norm()))
+          continue;
+        const scene::Argument at{X, X, 0.};
+        points.vx[p] = vx(at), points.vy[p] = vy(at);
+        points.lxx[p] = slope(vx, X, 0, h), points.lxy[p] = slope(vx, X, 1, h);
+        points.lyx[p] = slope(vy, X, 0, h), points.lyy[p] = slope(vy, X, 1, h);
+        if (!stress.empty())
+          points.sxx[p] = stress[0](at), points.syy[p] = stress[1](at),
+          points.szz[p] = stress[2](at), points.sxy[p] = stress[3](at);
       }
     }
-  } // namespace
+  }
 
   Points make_points(const scene::Scene &scene, const Material &material,
                      const std::array<int, 2> &per_cell)

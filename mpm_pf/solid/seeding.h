@@ -15,4 +15,9 @@ namespace solid
   /// Points with mass, initial velocity and initial stress. Throws scene::BadScene if a body gets
   /// none, or reaches out of the domain (over a symmetry side it is cut).
   Points make_points(const scene::Scene &, const Material &, const std::array<int, 2> &per_cell);
+
+  /// Initial velocity and stress of the points from `begin` on, those of the body that a point is
+  /// deepest in; `h` is the half-width of the differences that give the velocity's gradient.
+  void initialise(Points &, const Fraction &, std::size_t begin,
+                  const std::vector<scene::Body> &bodies, double h);
 } // namespace solid

@@ -1,7 +1,11 @@
 // The coupled program as a whole: a seed that grows up to a wall and is pressed by it.
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "accounts.h"
+#include "coupling.h"
+#include "inertia.h"
 #include "record/checkpoint.h"
 #include "scene/geometry.h"
 #include "simulate.h"
@@ -110,4 +114,62 @@ TEST(Coupled, WithoutWallsTheCrystalHasItsPointsAtOnceAndStaysFreeOfStress)
   for (const char *field : {"von_mises", "pressure"})
     for (const double stress : snapshot.fields.at(field))
       ASSERT_NEAR(stress, 0., 1e-9) << field;
+}
+
+// A spin of the body turns the crystal's axes by half the curl, carries phi and stresses nothing.
+TEST(Coupled, ACrystalWithoutWallsStartsWithItsBodysVelocity)
+{
+  scene::Scene scene = pressed_seed();
+  scene.walls.clear();
+  scene.mpm->mach.reset();
+  scene.solid->density = 0.1, scene.solid->yield_stress.reset();
+  scene.domain.lower = {-16., -16.}, scene.domain.size = {32., 32.};
+  scene.domain.cells = {40, 40};
+  scene.domain.boundary.fill(scene::Boundary::no_flux);
+  scene.heat->undercooling = 0.; // hardly anything grows
+  scene.bodies[0].velocity = {scene::Expression{"0.1-0.02*Y", {}}, scene::Expression{"0.02*X", {}}};
+  scene.clock.end = 10.;
+  World world = build_world(scene, 1);
+  wake_solid(world);
+  const double mass = solid::numbers(*world.solid).at("density") * solid::ledger(*world.solid).phi;
+  EXPECT_NEAR(mass, 0.1 * 3.1416 * 64., 0.01 * mass);
+  go(world, 100000);
+  const auto row = solid::history(*world.solid);
+  const auto value = [&](const std::string &name)
+  { return row.row[std::find(row.names.begin(), row.names.end(), name) - row.names.begin()]; };
+  EXPECT_NEAR(value("momentum_x"), 0.1 * value("mass"), 1e-3 * value("mass"));
+  EXPECT_NEAR(value("momentum_y"), 0., 1e-3 * value("mass"));
+  EXPECT_NEAR(value("energy_balance"), 0., 0.01 * value("kinetic_energy"));
+  double x = 0., area = 0., angle = 0.;
+  for (int j = 0; j < world.mesh->nodes[1]; ++j)
+    for (int i = 0; i < world.mesh->nodes[0]; ++i)
+      if (world.phase->value(i, j) > 0.)
+      {
+        area += 1., x += world.mesh->position(i, j)[0];
+        angle += world.orientation->angle(i, j);
+      }
+  EXPECT_NEAR(x / area, 0.1 * world.time, 0.1);
+  EXPECT_NEAR(angle / area, 0.02 * world.time, 0.03 * 0.02 * world.time);
+}
+
+TEST(Coupled, InertiaIsThatOfTheFastestWall)
+{
+  scene::Scene scene = pressed_seed();
+  scene.domain.lower = {0., -16.}, scene.domain.size = {20., 32.}, scene.domain.cells = {25, 40};
+  scene::Wall still;
+  still.side = scene::Edge::bottom;
+  scene.walls.push_back(still);
+  const World world = build_world(scene, 1);
+  std::swap(scene.walls[0], scene.walls[1]);
+  const World swapped = build_world(scene, 1);
+  EXPECT_GT(inertia(world).compression(), 0.);
+  EXPECT_EQ(inertia(world).compression(), inertia(swapped).compression());
+  EXPECT_TRUE(inertia(swapped).opposed);
+  EXPECT_EQ(inertia(swapped).arm, 16.);
+
+  scene.walls = {scene.walls[1], still}; // beside it, not opposite
+  scene.walls[1].side = scene::Edge::left;
+  const World beside = build_world(scene, 1);
+  EXPECT_FALSE(inertia(beside).opposed);
+  EXPECT_EQ(inertia(beside).arm, 32.) << "a mirror lies opposite the wall";
 }
