@@ -99,3 +99,17 @@ std::string warning_on_scaling(const World &world)
           "mpm.reference_speed";
   return text.str();
 }
+
+std::string warning_on_idle_walls(const World &world)
+{
+  if (!world.walls)
+    return {};
+  std::string idle;
+  for (const medium::Wall &wall : world.walls->walls)
+    if (wall.asked.speed > 0. && !wall.started)
+      idle += (idle.empty() ? "" : ", ") + solid::wall_name(wall.side);
+  if (idle.empty())
+    return {};
+  return idle + " never started: the front never came within start_distance of it; run longer, or "
+                "start it from further away or by start_time";
+}

@@ -27,3 +27,7 @@ std::string verdict_on_inertia(const World &);
 /// the whole run, or that of bodies which start with a velocity: whatever is loaded then is not in
 /// equilibrium. Empty else.
 std::string warning_on_scaling(const World &);
+
+/// A sentence if a wall that should have moved never started: no front came near enough to it.
+/// Empty else.
+std::string warning_on_idle_walls(const World &);

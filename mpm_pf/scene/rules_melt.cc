@@ -74,6 +74,16 @@ namespace scene
         in.complain(*in.draft.walls[i],
                     "the wall starts at a distance to phi = 0, but there is no phase field",
                     "start_time, or [phase_field]", "add start_time = 0");
+    for (std::size_t i = 0; i < in.scene().walls.size(); ++i)
+    {
+      const Wall &wall = in.scene().walls[i];
+      if (const Value *at = in.draft.walls[i]->find("start_time");
+          at && sound(in, "clock") && wall.speed > 0. && *wall.start_time >= in.scene().clock.end)
+        in.complain(
+            *at, "the wall starts at " + number_text(*wall.start_time) + ", when the run has ended",
+            "before the end, " + number_text(in.scene().clock.end),
+            "start it earlier, or run longer");
+    }
   }
 
   void anisotropy_is_well_posed(const Inspection &in)

@@ -152,6 +152,19 @@ TEST(Coupled, ACrystalWithoutWallsStartsWithItsBodysVelocity)
   EXPECT_NEAR(angle / area, 0.02 * world.time, 0.03 * 0.02 * world.time);
 }
 
+TEST(Coupled, AWallThatNeverStartedIsSaid)
+{
+  scene::Scene scene = pressed_seed();
+  World world = build_world(scene, 1);
+  go(world, 1);
+  EXPECT_EQ(warning_on_idle_walls(world), "");
+  scene.walls[0].start_time.reset();
+  scene.walls[0].start_distance = 1.;
+  World far = build_world(scene, 1);
+  go(far, 1);
+  EXPECT_NE(warning_on_idle_walls(far).find("wall top never started"), std::string::npos);
+}
+
 TEST(Coupled, InertiaIsThatOfTheFastestWall)
 {
   scene::Scene scene = pressed_seed();

@@ -69,3 +69,21 @@ TEST(EarlyEnd, CompressionCountsFromTheFirstContactWithAndWithoutAPhaseField)
     std::filesystem::remove(path);
   }
 }
+
+TEST(EarlyEnd, AWallThatWouldStartAfterItIsRefused)
+{
+  const std::string path = ::testing::TempDir() + "late_" + std::to_string(getpid()) + ".toml";
+  std::string late = walled;
+  late.replace(late.find("start_time = 0.0"), 16, "start_time = 9.0");
+  std::ofstream(path) << late;
+  try
+  {
+    scene::read_scene(path, {});
+    ADD_FAILURE() << "it was accepted";
+  }
+  catch (const scene::BadScene &refusal)
+  {
+    EXPECT_NE(std::string(refusal.what()).find("when the run has ended"), std::string::npos);
+  }
+  std::filesystem::remove(path);
+}
