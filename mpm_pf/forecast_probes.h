@@ -11,7 +11,7 @@ inline constexpr double probe_budget_s = 0.04; // CPU seconds of each probe
 inline constexpr int probe_calls = 400;        // at most
 
 /// CPU seconds of one call: after a first one that warms up, as many as `budget` holds, at most
-/// `most`.
+/// `most`; the mean of the quickest quarter of them.
 double seconds_of(const std::function<void()> &call, double budget, int most);
 
 /// CPU seconds of one pass a = b + s c over `nodes` doubles, per node: the unit of the kernels.
