@@ -16,7 +16,8 @@ Recorder::Recorder(const scene::Scene &scene, record::Writer &out)
   if (scene.growth && scene.heat)
     ill_chosen = melt::width_warning(scene.growth->capillary_length, scene.phase_field->width);
   if (scene.phase_field && ill_chosen.empty())
-    ill_chosen = melt::profile_warning(scene.phase_field->width, scene.domain.spacing().maxCoeff());
+    ill_chosen = melt::profile_warning(scene.phase_field->width, scene.domain.spacing().maxCoeff(),
+                                       scene.growth.has_value());
   std::vector<std::string> watched;
   for (const auto &probe : scene.probes)
   {

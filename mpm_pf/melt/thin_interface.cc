@@ -76,15 +76,15 @@ namespace melt
     return text.str();
   }
 
-  std::string profile_warning(const double width, const double spacing)
+  std::string profile_warning(const double width, const double spacing, const bool grows)
   {
-    if (width >= 0.5 * spacing)
+    if (width >= (grows ? 0.999 : 0.5) * spacing)
       return {};
     std::ostringstream text;
     text.precision(3);
     text << "under-resolved: the interface width W0 is " << width / spacing
-         << " cells; phi is a step from node to node, and its contour may be off by half a cell: "
-            "use a W0 of a cell or more";
+         << " cells; phi is a step from node to node, its contour may be off by half a cell and a "
+            "growing front is pinned: use a W0 of a cell or more";
     return text.str();
   }
 } // namespace melt

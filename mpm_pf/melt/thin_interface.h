@@ -40,8 +40,9 @@ namespace melt
   std::string width_warning(double capillary_length, double width);
 
   /// The same for a mesh that cannot hold the profile: below W0 = dx/2 phi is a step from node to
-  /// node, and its contour stands wherever between them.
-  std::string profile_warning(double width, double spacing);
+  /// node, and its contour stands wherever between them; a front that grows is pinned to the nodes
+  /// below W0 = dx already.
+  std::string profile_warning(double width, double spacing, bool grows);
 
   /// The law of a scene's sections; `heat` may be null (growth by curvature alone, lambda = 0).
   /// Throws scene::BadScene where anisotropy >= 1/15 (the interface stiffness 1 - 15 eps is

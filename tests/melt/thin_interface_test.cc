@@ -103,7 +103,9 @@ TEST(ThinInterface, SaysWhenItIsNotThin)
 {
   EXPECT_EQ(melt::width_warning(0.185, 1.), ""); // the paper's
   EXPECT_EQ(melt::width_warning(0.139, 1.), ""); // D tau0/W0^2 = 4
-  EXPECT_EQ(melt::profile_warning(0.5, 1.), "");
-  EXPECT_NE(melt::profile_warning(0.02, 0.1).find("is 0.2 cells"), std::string::npos);
+  EXPECT_EQ(melt::profile_warning(0.5, 1., false), "");
+  EXPECT_NE(melt::profile_warning(0.5, 1., true).find("is 0.5 cells"), std::string::npos);
+  EXPECT_EQ(melt::profile_warning(1., 1., true), "");
+  EXPECT_NE(melt::profile_warning(0.02, 0.1, false).find("is 0.2 cells"), std::string::npos);
   EXPECT_NE(melt::width_warning(0.0554, 1.).find("18.1 capillary lengths"), std::string::npos);
 }
