@@ -4,8 +4,7 @@
 #include <cmath>
 #include <sstream>
 
-#include <unistd.h>
-
+#include "record/provenance.h"
 #include "scene/geometry.h"
 #include "scene/reader.h"
 
@@ -70,8 +69,7 @@ namespace fe
         area += scene::signed_area(line);
       const double bytes =
           least_bytes * cells[0] * cells[1] * area / (box.upper - box.lower).prod();
-      const double has = static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
-                         static_cast<double>(sysconf(_SC_PAGE_SIZE));
+      const double has = record::machine_bytes();
       if (bytes <= has)
         return;
       const bool asked = scene.fe && scene.fe->cells[0] > 0;

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include <unistd.h>
-
+#include "record/provenance.h"
 #include "scene/geometry.h"
 #include "scene/reader.h"
 #include "solid/points.h"
@@ -32,8 +31,7 @@ double least_bytes(const scene::Scene &scene)
 
 void refuse_more_than_memory(const scene::Scene &scene, const double bytes)
 {
-  const double has =
-      static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
+  const double has = record::machine_bytes();
   if (bytes <= has)
     return;
   const auto &domain = scene.domain;

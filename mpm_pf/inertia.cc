@@ -83,8 +83,7 @@ std::string warning_on_scaling(const World &world)
   { return body.velocity[0].text != "0" || body.velocity[1].text != "0"; };
   if (std::any_of(scene.bodies.begin(), scene.bodies.end(), thrown))
     return "not quasi-static: mpm.mach scales the density of bodies that start with a velocity, "
-           "and "
-           "with it their momentum; leave mach out";
+           "and with it their momentum; leave mach out";
   const scene::Box box = scene::bounding_box(scene.bodies);
   const double length = (box.upper - box.lower).maxCoeff();
   const auto numbers = solid::numbers(*world.solid);

@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 #include <hdf5.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include "commit.h"
 
@@ -82,5 +83,10 @@ namespace record
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
     return 1024. * double(usage.ru_maxrss); // Linux counts in KiB
+  }
+
+  double machine_bytes()
+  {
+    return double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGE_SIZE));
   }
 } // namespace record

@@ -17,4 +17,5 @@ namespace record
   double wall_seconds();   // monotonic clock
   double cpu_seconds();    // of the whole process, all threads
   double peak_rss_bytes(); // high-water mark of resident memory
+  double machine_bytes();  // physical memory of this machine
 } // namespace record

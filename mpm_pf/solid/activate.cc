@@ -1,5 +1,3 @@
-#include <algorithm>
-#include <cmath>
 #include <stdexcept>
 
 #include "solid/energy.h"
@@ -102,10 +100,7 @@ namespace solid
 
   void start_as(Solid &solid, const std::vector<scene::Body> &bodies)
   {
-    const Points &points = solid.points;
     initialise(solid.points, solid.fraction, 0, bodies, 1e-4 * solid.grid.dx);
-    for (std::size_t p = 0; p < points.size(); ++p)
-      solid.speed = std::max(solid.speed, std::hypot(points.vx[p], points.vy[p]));
-    solid.energy.start = kinetic_energy(solid) + elastic_energy(solid);
+    begin_account(solid);
   }
 } // namespace solid

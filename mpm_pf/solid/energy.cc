@@ -1,5 +1,8 @@
 #include "solid/energy.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "solid/body.h"
 
 namespace solid
@@ -58,6 +61,15 @@ namespace solid
   double mass(const Solid &solid)
   {
     return sum(solid, [&](const std::size_t p) { return solid.points.mass[p]; });
+  }
+
+  void begin_account(Solid &solid)
+  {
+    const Points &points = solid.points;
+    solid.speed = 0.;
+    for (std::size_t p = 0; p < points.size(); ++p)
+      solid.speed = std::max(solid.speed, std::hypot(points.vx[p], points.vy[p]));
+    solid.energy.start = kinetic_energy(solid) + elastic_energy(solid);
   }
 
   History history(const Solid &solid)

@@ -14,4 +14,7 @@ namespace solid
   Point momentum(const Solid &);
   double area(const Solid &);
   double mass(const Solid &);
+
+  /// Largest speed and energy of points that have just been made: what the account starts from.
+  void begin_account(Solid &);
 } // namespace solid

@@ -59,14 +59,6 @@ namespace solid
                           "of them moves; give mpm.reference_speed or leave mach out");
       return speed;
     }
-
-    double largest_speed(const Points &points)
-    {
-      double largest = 0.;
-      for (std::size_t p = 0; p < points.size(); ++p)
-        largest = std::max(largest, std::hypot(points.vx[p], points.vy[p]));
-      return largest;
-    }
   } // namespace
 
   Owner make_solid(const scene::Scene &scene, const int threads)
@@ -94,8 +86,7 @@ namespace solid
     for (double &mass : solid.points.mass)
       mass *= solid.material.density_scale;
     square_edges(solid.points, solid.material.density, 0);
-    solid.speed = largest_speed(solid.points);
-    solid.energy.start = kinetic_energy(solid) + elastic_energy(solid);
+    begin_account(solid);
     const scene::Box box = scene::bounding_box(scene.bodies);
     // A growing crystal has no size to divide; four cells is what its stresses are compared in.
     solid.bin = scene.growth ? 4. * solid.grid.dx : (box.upper - box.lower)[0] / 20.;
