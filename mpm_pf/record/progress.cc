@@ -30,8 +30,8 @@ namespace record
   }
 
   Progress::Progress(std::ostream &out, const Style style, std::string what, const double begin,
-                     const double end)
-      : out(&out), style(style), what(std::move(what)), begin(begin), end(end)
+                     const double end, const double window_s)
+      : out(&out), style(style), what(std::move(what)), begin(begin), end(end), window_s(window_s)
   {
   }
 
@@ -58,9 +58,19 @@ namespace record
     std::string line = what + printed(": %5.1f %%  t = %g", 100. * fraction, time);
     if (!detail.empty())
       line += "  " + detail;
-    if (fraction > 0.)
-      line += "  left " + duration(seconds_since(start) * (1. - fraction) / fraction);
+    if (const double left = seconds_left(fraction); std::isfinite(left))
+      line += "  left " + duration(left);
     say(line);
+  }
+
+  double Progress::seconds_left(const double fraction)
+  {
+    if (seconds_since(later.at) >= window_s)
+    {
+      earlier = later;
+      later = {Clock::now(), fraction};
+    }
+    return seconds_since(earlier.at) * (1. - fraction) / (fraction - earlier.fraction);
   }
 
   void Progress::say(const std::string &line)

@@ -22,8 +22,11 @@ namespace record
     static Style style_of_stderr(bool quiet);
 
     /// `what` opens every line, as in "mpm_pf shear"; `begin` to `end` is the simulated time to go
-    /// (begin > 0 for a resumed run: the rate counts from there).
-    Progress(std::ostream &, Style, std::string what, double begin, double end);
+    /// (begin > 0 for a resumed run: the rate counts from there). The time left is foretold from
+    /// the pace of the last one to two `window_s`: a crystal that meets a wall goes on far more
+    /// slowly.
+    Progress(std::ostream &, Style, std::string what, double begin, double end,
+             double window_s = 30.);
 
     /// Say where the run is; cheap when it is not yet time for a line. `detail` is appended, as in
     /// "step 1200".
@@ -36,13 +39,21 @@ namespace record
 
   private:
     using Clock = std::chrono::steady_clock;
+    struct Mark
+    {
+      Clock::time_point at;
+      double fraction;
+    };
+
     std::ostream *out;
     Style style;
     std::string what;
-    double begin, end;
+    double begin, end, window_s;
     Clock::time_point start = Clock::now(), last = start;
-    std::size_t length = 0; // of the line on the terminal, to wipe it
+    Mark earlier{start, 0.}, later = earlier; // at least a window apart
+    std::size_t length = 0;                   // of the line on the terminal, to wipe it
 
+    double seconds_left(double fraction);
     void say(const std::string &line);
   };
 } // namespace record

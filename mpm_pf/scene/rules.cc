@@ -26,6 +26,8 @@ namespace scene
          initial_state_is_of_a_solid},
         {"Bodies that overlap start with the same velocity and stress.",
          overlapping_bodies_start_alike},
+        {"The initial stress of a rate-independent solid is within yield.",
+         initial_stress_is_within_yield},
         {"A support or traction is where material is.", loads_meet_material},
         {"A support holds at least one component, and starts from zero displacement.",
          supports_hold_something},

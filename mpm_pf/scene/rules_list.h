@@ -45,5 +45,6 @@ namespace scene
 
   // rules_values.cc
   void expressions_are_finite(const Inspection &);
+  void initial_stress_is_within_yield(const Inspection &);
   void overlapping_bodies_start_alike(const Inspection &);
 } // namespace scene

@@ -137,6 +137,26 @@ namespace scene
                         b.initial_stress->begin(), same);
     }
 
+    // sqrt(3/2 s:s) where it is largest of the places looked at, and there.
+    std::pair<double, Point> largest_von_mises(const Body &body)
+    {
+      std::vector<Function> stress;
+      for (const Expression &e : *body.initial_stress)
+        stress.emplace_back(e);
+      std::pair<double, Point> most{0., Point::Zero()};
+      for (const Point &X : inside(body))
+      {
+        const Argument at{X, X, 0.};
+        const double xx = stress[0](at), yy = stress[1](at), zz = stress[2](at), xy = stress[3](at);
+        const double here = std::sqrt(
+            0.5 * ((xx - yy) * (xx - yy) + (yy - zz) * (yy - zz) + (zz - xx) * (zz - xx)) +
+            3. * xy * xy);
+        if (here > most.first)
+          most = {here, X};
+      }
+      return most;
+    }
+
     void check_bodies(const Inspection &in)
     {
       for (std::size_t i = 0; i < in.scene().bodies.size(); ++i)
@@ -192,6 +212,28 @@ namespace scene
       return;
     check_bodies(in);
     check_loads(in);
+  }
+
+  void initial_stress_is_within_yield(const Inspection &in)
+  {
+    const auto &solid = in.scene().solid;
+    if (!in.geometry_known || !solid || !solid->yield_stress || solid->viscosity)
+      return; // an overstress is what a viscosity lets relax
+    for (std::size_t i = 0; i < in.scene().bodies.size(); ++i)
+    {
+      const Body &body = in.scene().bodies[i];
+      const Value *key = in.draft.bodies[i]->find("initial_stress");
+      if (!body.initial_stress || !key || in.complaints.about(*key))
+        continue;
+      if (const auto [most, X] = largest_von_mises(body); most > *solid->yield_stress * (1. + 1e-9))
+        in.complain(*key,
+                    "its von Mises stress at (" + number_text(X[0]) + ", " + number_text(X[1]) +
+                        ") is above the yield stress of " + number_text(*solid->yield_stress) +
+                        ", which no state of a rate-independent solid is",
+                    "sqrt(3/2 s:s) of xx, yy, zz, xy at most yield_stress",
+                    "lower the stress, mind zz (nu (xx + yy) of an elastic plane strain), or give "
+                    "the solid a viscosity that lets it relax");
+    }
   }
 
   void overlapping_bodies_start_alike(const Inspection &in)

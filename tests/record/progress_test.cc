@@ -1,5 +1,7 @@
 // Progress goes where it is sent and nowhere else.
+#include <chrono>
 #include <sstream>
+#include <thread>
 
 #include <gtest/gtest.h>
 
@@ -33,4 +35,19 @@ TEST(Progress, IsSilentWhenQuietAndRareInALog)
   EXPECT_EQ(quiet.str(), "");
   EXPECT_EQ(log.str().rfind("mpm_pf shear: done in ", 0), 0u);
   EXPECT_EQ(log.str().back(), '\n');
+}
+
+TEST(Progress, ForetellsFromThePaceOfLate)
+{
+  std::ostringstream out;
+  Progress progress(out, Progress::Style::terminal, "mpm_pf shear", 0., 1., 0.25);
+  // Nine tenths of the way in a moment, then a ten-thousandth per quarter of a second.
+  double fraction = 0.9;
+  for (int k = 0; k < 4; ++k, fraction += 1e-4)
+  {
+    std::this_thread::sleep_for(std::chrono::milliseconds(270));
+    progress.update(fraction);
+  }
+  const std::string last = out.str().substr(out.str().rfind('\r'));
+  EXPECT_NE(last.find("min"), std::string::npos) << last; // 0.1/1e-4 of 0.27 s, not 0.1 s
 }
