@@ -2,9 +2,9 @@
 //
 // Points that cross cells sum stresses a little wrongly, in every place in another way, and what
 // they strain back and forth does not close: the body creeps. Measured on a bar whose foot is
-// strained by 6 %, 2 % in the mean (benchmarks/travelling_cantilever): over 18 cells 2.5 % of its
-// deflection with 2 x 2 points a cell, 0.8 % with 3 x 3, 0.4 % with 4 x 4, with the square of the
-// strain, and on fine cells as on coarse ones.
+// strained by 6 %, 2 % in the mean (benchmarks/travelling_cantilever): over 18 cells 0.5 % of its
+// deflection with 2 x 2 points a cell, 0.25 % with 3 x 3, 0.2 % with 4 x 4, with the square of the
+// strain; a slender beam bent to 4 % is 2 % too far with 2 x 2 points, 0.3 % with 4 x 4.
 #pragma once
 
 #include <string>

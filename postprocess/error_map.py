@@ -18,7 +18,9 @@ RASTER = 48  # raster cells along the longer side
 
 
 def last_snapshot(path):
-    """(positions n x 2, {field: n values}) of the last snapshot in a record, or None."""
+    """(positions n x 2, {field: n values}) of the last snapshot in a record, or None; None as well if the record is gone."""
+    if not path.exists():
+        return None
     with h5py.File(path, "r") as record:
         if "snapshots" not in record or not len(record["snapshots"]):
             return None

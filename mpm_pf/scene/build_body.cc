@@ -101,6 +101,24 @@ namespace scene
               "outlines of their own");
       }
     }
+
+    // Where they overlap or lie outside, the even-odd rule would make material of holes.
+    void check_holes(const Polyline &rim, const std::vector<Polyline> &holes, const Value &at,
+                     Complaints &complaints)
+    {
+      for (std::size_t i = 0; i < holes.size(); ++i)
+      {
+        const double area = std::abs(signed_area(holes[i])), rounding = 1e-9 * area;
+        const std::string which = "hole " + std::to_string(i + 1);
+        if (shared_area(holes[i], rim) < area - rounding)
+          complaints.add(at, which + " is not within the vertices' outline", "holes of the polygon",
+                         "move the hole; what cuts the rim belongs to the vertices");
+        for (std::size_t j = 0; j < i; ++j)
+          if (shared_area(holes[i], holes[j]) > rounding)
+            complaints.add(at, which + " overlaps hole " + std::to_string(j + 1),
+                           "holes apart from each other", "join them to one outline");
+      }
+    }
   } // namespace
 
   std::vector<Polyline> read_outlines(const std::string &text, const std::string &file)
@@ -175,6 +193,8 @@ namespace scene
       if (input.holes)
         polygon.outlines.insert(polygon.outlines.end(), input.holes->begin(), input.holes->end());
       check_outlines(polygon.outlines, *at.find("vertices"), complaints);
+      if (input.holes && !complaints.about(*at.find("vertices")))
+        check_holes(*input.vertices, *input.holes, *at.find("holes"), complaints);
       body.shape = polygon;
       break;
     }

@@ -30,6 +30,8 @@ namespace scene
 
   /// Do two sides of a closed polyline meet other than at their common vertex?
   bool crosses_itself(const Polyline &);
+  /// Area that two closed polylines both enclose.
+  double shared_area(const Polyline &, const Polyline &);
 
   /// Area by the shoelace formula, positive for counter-clockwise.
   double signed_area(const Polyline &);

@@ -174,6 +174,13 @@ namespace scene
     return subdivided(lines_of(inside), spacing);
   }
 
+  double shared_area(const Polyline &a, const Polyline &b)
+  {
+    Areas both;
+    bg::intersection(areas_of(a), areas_of(b), both);
+    return bg::area(both);
+  }
+
   bool crosses_itself(const Polyline &line)
   {
     for (std::size_t k = 0; k < line.size(); ++k)

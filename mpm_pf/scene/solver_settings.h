@@ -46,6 +46,7 @@ namespace scene
     std::optional<bool> anti_locking;      // empty: on for solids that lock
     double pressure_relaxation = 0.1;      // towards the cell mean, per step
     double step_fraction = 0.4;            // of dx/(c_p + |v|)
+    double node_mass_floor = 0.1;          // of a full cell's mass
     std::optional<double> mach;            // wanted V/c_p: density is scaled to it
     std::optional<double> reference_speed; // V; default: largest speed of supports and walls
     bool split_points = false;

@@ -5,6 +5,7 @@
 #include "solid/blocks.h"
 #include "solid/body.h"
 #include "solid/energy.h"
+#include "solid/light_nodes.h"
 #include "solid/mean_velocity.h"
 #include "solid/nodes_to_points.h"
 #include "solid/splitting.h"
@@ -87,9 +88,19 @@ namespace solid
       Timed timed(solid, "nodes");
       push(solid.loads, solid.tracers, solid.points, solid.scheme, solid.supports.folds, solid.grid,
            1. / solid.material.density, solid.time);
+      if (const auto &X = solid.loads.parted)
+        throw Trouble("the loaded edge that started there has parted from the material, which "
+                      "bears no such load; lower the traction",
+                      solid.steps, solid.time, *X);
       move_nodes(solid, dt);
-      hold(solid.supports, solid.scheme, solid.points, solid.fraction, solid.loads.acceleration,
-           1. / solid.material.density, solid.grid, solid.time, dt);
+      prescribe(solid.supports, solid.scheme, solid.points, solid.fraction,
+                solid.loads.acceleration, 1. / solid.material.density, solid.grid, solid.time, dt);
+      if (solid.scheme.node_mass_floor > 0. && !solid.scheme.stress_first)
+        follow(solid.light_nodes, solid.supports, solid.grid,
+               solid.scheme.node_mass_floor * solid.material.density * solid.grid.dx *
+                   solid.grid.dx,
+               dt, solid.threads);
+      hold(solid.supports, solid.grid, solid.time, dt);
       book_work(solid.loads, solid.grid, dt);
       move(solid.tracers, solid.scheme, solid.grid, solid.supports.folds, dt);
       if (solid.scheme.transfer == Transfer::xpic2)
@@ -105,8 +116,9 @@ namespace solid
       for (Node &node : grid.nodes)
         node.motion[1] = node.motion[3] = 0.;
       move_nodes(solid, dt);
-      hold(solid.supports, solid.scheme, solid.points, solid.fraction, solid.loads.acceleration,
-           1. / solid.material.density, grid, solid.time, dt, false);
+      prescribe(solid.supports, solid.scheme, solid.points, solid.fraction,
+                solid.loads.acceleration, 1. / solid.material.density, grid, solid.time, dt, false);
+      hold(solid.supports, grid, solid.time, dt, false);
       nodes_to_points(solid, dt, Part::stress);
     }
 

@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "solid/constitutive.h"
+#include "solid/light_nodes.h"
 #include "solid/loads.h"
 #include "solid/solid.h"
 #include "solid/supports.h"
@@ -34,6 +35,7 @@ namespace solid
     Grid grid;
     CellMeans cells;
     Supports supports;
+    LightNodes light_nodes;
     Loads loads;
     Tracers tracers;
     Energy energy;

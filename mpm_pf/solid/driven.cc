@@ -134,6 +134,9 @@ namespace solid
                  const double inverse_density, const Grid &grid, const double t, const double dt,
                  const bool book)
   {
+    supports.speed = 0.;
+    if (supports.driven.empty())
+      return;
     for (DrivenRegion &region : supports.driven)
       region.covers.assign(grid.nodes.size(), {});
     supports.driven_parts.assign(grid.nodes.size(), {});

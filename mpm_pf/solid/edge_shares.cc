@@ -64,6 +64,8 @@ namespace solid
         for_gauss_points(outline, chord.tracer,
                          [&](const Point &x, const Point &normal)
                          {
+                           if (!grid.surrounds(x))
+                             return; // it has parted from the material, or belongs to a rigid grip
                            for_nodes(stencil(scheme, grid, table, x), grid,
                                      [&](const std::ptrdiff_t n, const double w, const Point &)
                                      {
@@ -77,20 +79,11 @@ namespace solid
   void EdgeShares::add_edges(const Tracers &tracers, const Scheme &scheme, const FoldTable &table,
                              const Grid &grid)
   {
-    const auto touches = [&](const Point &x)
-    {
-      const int i = grid.nearest(x[0], 0), j = grid.nearest(x[1], 1);
-      for (int b = -1; b <= 1; ++b)
-        for (int a = -1; a <= 1; ++a)
-          if (!grid.has(i + a, j + b))
-            return false;
-      return true;
-    };
     for (const Chord &chord : chords)
       for_gauss_points(tracers.outlines[chord.outline], chord.tracer,
                        [&](const Point &x, const Point &normal)
                        {
-                         if (touches(x))
+                         if (grid.surrounds(x))
                            for_nodes(stencil(scheme, grid, table, x), grid,
                                      [&](const std::ptrdiff_t n, const double w, const Point &)
                                      {

@@ -68,6 +68,15 @@ namespace solid
       return j >= row_begin && j < row_end && i >= column_begin[j - row_begin] &&
              i < column_end[j - row_begin];
     }
+    /// Has the nine nodes around x?
+    bool surrounds(const Point &x) const
+    {
+      const int i = nearest(x[0], 0), j = nearest(x[1], 1);
+      for (int k = 0; k < 9; ++k)
+        if (!has(i - 1 + k % 3, j - 1 + k / 3))
+          return false;
+      return true;
+    }
     std::ptrdiff_t at(const int i, const int j) const { return offset[j - row_begin] + i; }
     /// First and last + 1 of the columns of a row; equal outside the rows in use.
     std::pair<int, int> columns(const int row) const

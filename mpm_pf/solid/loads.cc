@@ -133,7 +133,7 @@ namespace solid
   void push(Loads &loads, const Tracers &tracers, const Points &points, const Scheme &scheme,
             const FoldTable &table, Grid &grid, const double inverse_density, const double t)
   {
-    loads.pushes.clear();
+    loads.pushes.clear(), loads.parted.reset();
     if (loads.tractions.empty())
       return;
     loads.shares.measure(tracers, points, scheme, table, grid, inverse_density);
@@ -146,6 +146,12 @@ namespace solid
         for (const double s : chord_gauss_points)
         {
           const auto [X, x] = on_chord(outline, k, s);
+          if (!grid.surrounds(x))
+          {
+            if (outline[k].grip < 0)
+              loads.parted = X;
+            continue;
+          }
           Point force = Point::Zero();
           for (std::size_t l = 0; l < loads.tractions.size(); ++l)
             if (outline[k].loads & (1u << l))

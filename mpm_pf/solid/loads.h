@@ -32,6 +32,7 @@ namespace solid
     };
     std::vector<Push> pushes; // of this step, for their work
     EdgeShares shares;
+    std::optional<Point> parted; // where a loaded edge started that no material is near any more
     std::optional<std::array<scene::Function, 2>> body_force;
     Acceleration acceleration; // of the masses as used
     double true_mass = 1.;     // over the mass as used: a body of scaled density weighs no more

@@ -30,6 +30,7 @@ namespace solid
       scheme.anti_locking = mpm.anti_locking.value_or(scene.solid->locks());
       scheme.pressure_relaxation = mpm.pressure_relaxation;
       scheme.step_fraction = mpm.step_fraction;
+      scheme.node_mass_floor = mpm.node_mass_floor;
       return scheme;
     }
 

@@ -160,18 +160,10 @@ namespace solid
     }
   }
 
-  void hold(Supports &supports, const Scheme &scheme, const Points &points,
-            const Fraction &fraction, const Acceleration &acceleration,
-            const double inverse_density, Grid &grid, const double t, const double dt,
-            const bool book)
+  void hold(Supports &supports, Grid &grid, const double t, const double dt, const bool book)
   {
-    supports.speed = 0.;
     if (!supports.driven.empty())
-    {
-      prescribe(supports, scheme, points, fraction, acceleration, inverse_density, grid, t, dt,
-                book);
       hold_driven(supports, grid, book);
-    }
     for (std::size_t l = 0; l < supports.lines.size(); ++l)
       hold_line(supports, supports.lines[l], supports.folds.lines[l], grid, t, dt, book);
   }

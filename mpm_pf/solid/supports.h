@@ -159,10 +159,13 @@ namespace solid
   /// Lines to where they are at time t, and the folds into the grid.
   void place(Supports &, const Tracers &, Grid &, double t);
 
-  /// Node velocities after forces to what supports ask for over [t, t + dt]; reactions, if `book`,
-  /// else the forces were left out.
-  void hold(Supports &, const Scheme &, const Points &, const Fraction &, const Acceleration &,
-            double inverse_density, Grid &, double t, double dt, bool book = true);
+  /// What driven points are to do over [t, t + dt], by point and for the nodes around them, and
+  /// their parts of the nodes; what it takes, if `book`, else the forces were left out.
+  void prescribe(Supports &, const Scheme &, const Points &, const Fraction &, const Acceleration &,
+                 double inverse_density, const Grid &, double t, double dt, bool book = true);
+
+  /// Node velocities after forces to what supports ask for over [t, t + dt]; reactions, if `book`.
+  void hold(Supports &, Grid &, double t, double dt, bool book = true);
 
   /// Give a node the velocity v in the held components; the momentum that takes is the reaction.
   void give(Supports &, Support *, Grid &, std::ptrdiff_t node, const std::array<bool, 2> &held,
@@ -170,11 +173,6 @@ namespace solid
 
   /// Points and tracers with prescribed positions to time t + dt.
   void carry(Supports &, Points &, Tracers &, const Fraction &, double t, double dt);
-
-  /// What driven points are to do over [t, t + dt], by point and for the nodes around them, and
-  /// their parts of the nodes; what it takes, if `book`.
-  void prescribe(Supports &, const Scheme &, const Points &, const Fraction &, const Acceleration &,
-                 double inverse_density, const Grid &, double t, double dt, bool book);
 
   /// The nodes in and around driven boxes, see driven_sides.cc.
   void hold_driven(Supports &, Grid &, bool book);

@@ -39,6 +39,7 @@ namespace solid
     bool anti_locking = false;
     double pressure_relaxation = 0.1;
     double step_fraction = 0.4;
+    double node_mass_floor = 0.1; // of a full cell's mass, see light_nodes.h; 0: off
 
     bool affine() const { return transfer == Transfer::tpic || transfer == Transfer::apic; }
     bool incremental() const { return transfer == Transfer::flip || transfer == Transfer::xpic2; }
