@@ -4,6 +4,8 @@
 #include <cmath>
 #include <sstream>
 
+#include "scene/geometry.h"
+
 std::string warning_on_quadrature(const World &world)
 {
   constexpr double strained = 0.01, far = 3.; // cells
@@ -31,5 +33,33 @@ std::string warning_on_quadrature(const World &world)
   text << "coarse quadrature: elastic strains of " << 100. * strain << " % in the mean, moved over "
        << cells << " cells with " << nx << " x " << ny
        << " points a cell, creep by percents of themselves; give mpm.points_per_cell = [4, 4]";
+  return text.str();
+}
+
+std::string warning_on_thin_bodies(const World &world)
+{
+  constexpr double enough = 2.; // cells
+  const scene::Scene &scene = *world.scene;
+  if (!scene.solid || scene.growth)
+    return {};
+  const double dx = scene.domain.spacing().maxCoeff();
+  std::ostringstream text;
+  text.precision(2);
+  for (const scene::Body &body : scene.bodies)
+  {
+    double area = 0., perimeter = 0.;
+    for (const scene::Polyline &line : scene::outline({body}, scene.domain, dx))
+    {
+      area += scene::signed_area(line);
+      for (std::size_t k = 0; k < line.size(); ++k)
+        perimeter += (line[(k + 1) % line.size()] - line[k]).norm();
+    }
+    if (const double width = 2. * area / perimeter / dx; width < enough)
+      text << (text.str().empty() ? "thin: " : ", ") << '"' << body.name << "\" is about " << width
+           << " cells wide";
+  }
+  if (!text.str().empty())
+    text << "; below " << enough
+         << " neither bending nor edges are resolved: give more domain.cells";
   return text.str();
 }

@@ -14,3 +14,7 @@
 /// A sentence if the solid is elastically strained by more than a percent, has moved over more
 /// than three cells and has fewer than 3 x 3 points a cell. Empty else.
 std::string warning_on_quadrature(const World &);
+
+/// A sentence if a body at the start is thinner than two cells (twice its area over its perimeter):
+/// bending and edges are then beyond the mesh. Crystals that grow are excepted. Empty else.
+std::string warning_on_thin_bodies(const World &);

@@ -8,6 +8,8 @@ from pathlib import Path
 def write_between_marks(path, name, text):
     """Replaces what stands between the marks called `name`; ends the program if the file has none."""
     begin, end = f"<!-- {name}: begin -->", f"<!-- {name}: end -->"
+    if not path.exists():
+        sys.exit(f"{path}: there is no such file")
     old = path.read_text()
     if begin not in old or end not in old:
         sys.exit(f"{path} has no lines {begin} and {end}")

@@ -1,6 +1,7 @@
 // verify: argv -> command -> exit code; the only try/catch.
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <thread>
 
 #include <CLI/CLI.hpp>
@@ -25,12 +26,18 @@ namespace
         ->check(CLI::IsMember({"smoke", "quick", "full"}));
   }
 
+  void add_cores(CLI::App *app, Arguments &a)
+  {
+    app->add_option("-j", a.campaign.cores, "cores to use (default: all)")
+        ->check(CLI::Range(1, 1024));
+  }
+
   void add_run(CLI::App &app, Arguments &a)
   {
     auto *run = app.add_subcommand("run", "run cases, judge them, write the report");
     run->add_option("case", a.campaign.cases, "cases (default: all that the suite has)");
     add_suite(run, a.campaign.suite);
-    run->add_option("-j", a.campaign.cores, "cores to use (default: all)");
+    add_cores(run, a);
     run->add_option("--output", a.output, "folder of the campaign (default: results/<suite>)");
     run->add_flag("--fresh", a.campaign.fresh, "repeat runs that are finished");
     run->add_flag("--accept", a.campaign.accept,
@@ -57,7 +64,7 @@ namespace
   {
     const auto add_common = [&](CLI::App *command)
     {
-      command->add_option("-j", a.campaign.cores, "cores to use (default: all)");
+      add_cores(command, a);
       command->add_option(
           "--output", a.output,
           "folder of the results (default: results/<suite>, of a trade results/full)");
@@ -180,6 +187,12 @@ int main(int argc, char **argv)
   catch (const BadInput &error)
   {
     fmt::print(stderr, "{}\n", error.what());
+    return 2;
+  }
+  catch (const std::filesystem::filesystem_error &error)
+  {
+    fmt::print(stderr, "verify: {}: {}; choose a folder that can be read and written\n",
+               error.path1().string(), error.code().message());
     return 2;
   }
   catch (const std::exception &error)

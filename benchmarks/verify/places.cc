@@ -53,6 +53,10 @@ namespace verify
     places.cases = cases.empty() ? shortened(fs::path(root) / "benchmarks") : cases;
     if ((cases.empty() && root.empty()) || !fs::is_directory(places.cases))
       throw BadInput("no folder of cases: start verify inside the project, or give --cases DIR");
+    if (!fs::is_directory(places.solvers))
+      throw BadInput(fmt::format("--solvers {}: there is no such folder; give the one that holds "
+                                 "mpm_pf and fe_reference",
+                                 solvers));
     return places;
   }
 

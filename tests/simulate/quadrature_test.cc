@@ -39,3 +39,21 @@ TEST(Quadrature, IsDoubtedWhereFewPointsCarryElasticStrainOverCells)
   EXPECT_EQ(said(20., 0.5, "[2, 2]"), "");
   EXPECT_EQ(said(8., 1., "[2, 2]"), "");
 }
+
+TEST(Quadrature, IsDoubtedInBodiesThinnerThanTwoCells)
+{
+  const auto about = [](const double width)
+  {
+    const std::string path = ::testing::TempDir() + "thin_" + std::to_string(getpid());
+    std::ofstream(path)
+        << "[domain]\nsize = [8.0, 2.0]\ncells = [32, 8]\n"
+           "[[body]]\nname = \"strip\"\nshape = \"rectangle\"\ncorner = [0.5, 0.5]\nsize = [7.0, "
+        << width
+        << "]\n[solid]\nyoung_modulus = 1e3\npoisson_ratio = 0.3\ndensity = 1.0\n"
+           "[clock]\nend = 1.0\n";
+    const scene::Scene scene = scene::read_scene(path, {});
+    return warning_on_thin_bodies(build_world(scene, 1));
+  };
+  EXPECT_NE(about(0.25).find("\"strip\" is about 0.97 cells wide"), std::string::npos);
+  EXPECT_EQ(about(0.75), "");
+}
