@@ -154,8 +154,8 @@ namespace scene
       choices.push_back({"mpm", "points_per_cell",
                          pair(level.points_per_cell, level.points_per_cell),
                          as_text(mpm.points_per_cell)});
-      if (quasi_static(s, level.mach))
-        choices.push_back({"mpm", "mach", number(level.mach), absent_or(mpm.mach)});
+      if (const auto mach = scaled_mach(s, level.mach))
+        choices.push_back({"mpm", "mach", number(*mach), absent_or(mpm.mach)});
       if (s.phase_field || s.bodies.empty())
         return;
       const Fe fe = s.fe.value_or(Fe{});

@@ -20,29 +20,38 @@ namespace scene
                          { return component && component->text.find('t') != std::string::npos; });
     }
 
-    double speed_of(const Expression &displacement, const Box &box, const double end)
+    // Largest speed of supports and walls, and how far they go.
+    struct Drive
     {
-      const Function at(displacement);
-      double largest = 0.;
-      for (const Point &X : {box.lower, box.upper})
-        largest = std::max(largest, largest_speed(
-                                        [&](const double t) {
-                                          return Point(at({X, X, t}), 0.);
-                                        },
-                                        end));
-      return largest;
-    }
+      double speed = 0., stroke = 0.;
 
-    double largest_speed(const Scene &s, const Box &box)
+      void add(const Expression &displacement, const Box &box, const double end)
+      {
+        constexpr int samples = 400;
+        const Function u(displacement);
+        for (const Point &X : {box.lower, box.upper})
+        {
+          const auto at = [&](const double t) { return Point(u({X, X, t}), 0.); };
+          speed = std::max(speed, largest_speed(at, end));
+          for (int k = 0; k <= samples; ++k)
+            stroke = std::max(stroke, at(end * k / samples).norm());
+        }
+      }
+    };
+
+    Drive drive_of(const Scene &s, const Box &box)
     {
-      double largest = 0.;
+      Drive drive;
       for (const Wall &wall : s.walls)
-        largest = std::max(largest, wall.speed);
+      {
+        drive.speed = std::max(drive.speed, wall.speed);
+        drive.stroke = std::max(drive.stroke, wall.travel);
+      }
       for (const Support &support : s.supports)
         for (const auto &component : support.displacement)
           if (component)
-            largest = std::max(largest, speed_of(*component, box, s.clock.end));
-      return largest;
+            drive.add(*component, box, s.clock.end);
+      return drive;
     }
 
     double wave_speed(const Solid &solid)
@@ -53,7 +62,7 @@ namespace scene
     }
   } // namespace
 
-  bool quasi_static(const Scene &s, const double mach)
+  std::optional<double> scaled_mach(const Scene &s, const double wanted)
   {
     const bool driven =
         !s.walls.empty() || std::any_of(s.supports.begin(), s.supports.end(), moves);
@@ -62,18 +71,22 @@ namespace scene
                     [](const Body &body)
                     { return body.velocity[0].text != "0" || body.velocity[1].text != "0"; });
     if (!driven || thrown || !s.solid || !s.tractions.empty() || s.body_force)
-      return false;
+      return {};
     const double c = wave_speed(*s.solid);
     const Box box =
         s.bodies.empty() ? Box{s.domain.lower, s.domain.upper()} : bounding_box(s.bodies);
     const double length = (box.upper - box.lower).maxCoeff();
     try
     {
-      return s.clock.end * c >= crossings * length && largest_speed(s, box) < mach * c;
+      const Drive drive = drive_of(s, box);
+      const double mach = std::min(wanted, drive.stroke / (crossings * length));
+      if (s.clock.end * c < crossings * length || drive.speed >= mach * c)
+        return {};
+      return mach;
     }
     catch (const BadExpression &)
     {
-      return false; // refused in earnest when the scene is read
+      return {}; // refused in earnest when the scene is read
     }
   }
 } // namespace scene

@@ -1,13 +1,17 @@
-// May the density of a scene's solid be scaled? Only if inertia says nothing there.
+// By how much may the density of a scene's solid be scaled? Only where inertia says nothing.
 #pragma once
+
+#include <optional>
 
 #include "scene/scene.h"
 
 namespace scene
 {
-  /// Driven by supports or walls and by nothing whose time scale is the true density's (traction,
-  /// body force, a throw); slower than `mach` times the wave speed, so that scaling makes the
-  /// density larger and never smaller; and for so long that waves cross the bodies ten times and
-  /// more. A wave running down a bar is driven by a support too: this is what tells them apart.
-  bool quasi_static(const Scene &, double mach);
+  /// The Mach number to scale to, at most `wanted`, or none where the density stays. It stays if
+  /// the solid is driven by anything whose time scale is the true density's (traction, body force,
+  /// a throw), or so fast or briefly that waves tell: a wave running down a bar is driven by a
+  /// support too. Below `wanted` it keeps to what lets a scaled wave cross the bodies ten times
+  /// while their supports or walls go as far as they ever go: a bar whose ends move by a thousandth
+  /// of its length needs 1e-4. Never below the true one, so that scaling makes the density larger.
+  std::optional<double> scaled_mach(const Scene &, double wanted);
 } // namespace scene

@@ -73,6 +73,17 @@ TEST(Preset, NeverScalesTheDensityOfAWave)
   EXPECT_FALSE(read(brief, "draft").mpm->mach);
 }
 
+// The ends go 0.002 of the bar's two metres: ten crossings of a scaled wave meanwhile take a Mach
+// number of 1e-4 (a yield strain of 0.002 would else be reached before a wave is across).
+TEST(Preset, ScalesTheDensityLessForAShortWay)
+{
+  const std::string little = with(with(bar_without_knobs, "0.4*t", "0.002*sin(6.2832*t)"),
+                                  "-0.4*t", "-0.002*sin(6.2832*t)");
+  const auto mach = read(little, "draft").mpm->mach;
+  ASSERT_TRUE(mach);
+  EXPECT_NEAR(*mach, 1e-4, 1e-6);
+}
+
 // 0.4 m/s at a wave speed of 73 m/s: a Mach number of 5e-3 would take density away.
 TEST(Preset, NeverTakesDensityAway)
 {
