@@ -11,6 +11,7 @@
 #include "accounts.h"
 #include "forecast_probes.h"
 #include "record/provenance.h"
+#include "scene/quantities.h"
 #include "simulate.h"
 
 namespace
@@ -48,6 +49,19 @@ namespace
     forecast.seconds["solid"] =
         steps * seconds_of([&] { step(world, step_length); }, probe_budget_s, most);
     forecast.counts["cells"] = static_cast<double>(solid::cells(*world.solid));
+  }
+
+  /// What the largest snapshot of so many points holds while it is written: a column for each
+  /// quantity, positions, and what strains are fitted with.
+  double snapshot_bytes(const scene::Scene &scene, const double points)
+  {
+    constexpr std::size_t besides = 8; // columns
+    std::size_t most = 0;
+    for (const scene::Probe &probe : scene.probes)
+      if (std::holds_alternative<scene::SnapshotProbe>(probe.kind))
+        most = std::max(
+            most, besides + (probe.of.empty() ? scene::solid_quantities.size() : probe.of.size()));
+    return points * static_cast<double>(most * sizeof(double));
   }
 } // namespace
 
@@ -96,6 +110,8 @@ Forecast foretell(const scene::Scene &scene, const int threads)
   // top.
   forecast.resident_bytes =
       record::peak_rss_bytes() + std::max(0., forecast.solver_bytes() - sum(memory(world)));
+  if (const auto points = forecast.counts.find("points"); points != forecast.counts.end())
+    forecast.resident_bytes += snapshot_bytes(scene, points->second);
   return forecast;
 }
 

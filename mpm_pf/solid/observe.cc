@@ -108,14 +108,15 @@ namespace solid
   {
     record::Snapshot taken;
     taken.kind = record::Snapshot::Kind::points;
-    std::vector<double> X, Y;
-    for (std::size_t p = 0; p < solid.points.size(); ++p)
+    const std::size_t count = solid.points.size();
+    std::vector<double> &X = taken.fields["initial_x"], &Y = taken.fields["initial_y"];
+    taken.vertex.reserve(count), X.reserve(count), Y.reserve(count);
+    for (std::size_t p = 0; p < count; ++p)
     {
       taken.vertex.push_back(position(solid, p, Frame::current));
       const Point initial = position(solid, p, Frame::material);
       X.push_back(initial[0]), Y.push_back(initial[1]);
     }
-    taken.fields["initial_x"] = X, taken.fields["initial_y"] = Y;
     std::vector<std::string> names = of;
     if (names.empty())
       names.assign(scene::solid_quantities.begin(), scene::solid_quantities.end());
