@@ -4,7 +4,7 @@
 // they strain back and forth does not close: the body creeps. Measured on a bar whose foot is
 // strained by 6 %, 2 % in the mean (benchmarks/travelling_cantilever): over 18 cells 0.5 % of its
 // deflection with 2 x 2 points a cell, 0.25 % with 3 x 3, 0.2 % with 4 x 4, with the square of the
-// strain; a slender beam bent to 4 % is 2 % too far with 2 x 2 points, 0.3 % with 4 x 4.
+// strain; a slender beam bent to 4 % is 1.8 % too far with 2 x 2 points, 0.2 % with 4 x 4.
 #pragma once
 
 #include <string>

@@ -31,8 +31,8 @@ namespace verify
       }
       const std::string rest = text.substr(used);
       if (!(value > 0.) || (!rest.empty() && rest != "%"))
-        throw BadInput(
-            fmt::format("--error {}: give a number or a percentage above 0, like 0.02 or 2%", text));
+        throw BadInput(fmt::format(
+            "--error {}: give a number or a percentage above 0, like 0.02 or 2%", text));
       return rest == "%" ? value / 100. : value;
     }
 

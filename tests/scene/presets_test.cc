@@ -77,8 +77,8 @@ TEST(Preset, NeverScalesTheDensityOfAWave)
 // number of 1e-4 (a yield strain of 0.002 would else be reached before a wave is across).
 TEST(Preset, ScalesTheDensityLessForAShortWay)
 {
-  const std::string little = with(with(bar_without_knobs, "0.4*t", "0.002*sin(6.2832*t)"),
-                                  "-0.4*t", "-0.002*sin(6.2832*t)");
+  const std::string little = with(with(bar_without_knobs, "0.4*t", "0.002*sin(6.2832*t)"), "-0.4*t",
+                                  "-0.002*sin(6.2832*t)");
   const auto mach = read(little, "draft").mpm->mach;
   ASSERT_TRUE(mach);
   EXPECT_NEAR(*mach, 1e-4, 1e-6);

@@ -1,6 +1,8 @@
 // Tractions on edges that no cell follows, and on parts of edges.
 #include <gtest/gtest.h>
 
+#include <string>
+
 #include "small_scenes.h"
 
 namespace
@@ -78,4 +80,27 @@ TEST(Traction, GoesOnToTheSameBitsAfterARestart)
   solid::advance(*second, 0.06);
   EXPECT_GT(largest(*whole, "displacement_x"), 0.05);
   EXPECT_EQ(solid::checkpoint(*whole), solid::checkpoint(*second));
+}
+
+// Far more than the corner bears: it flows away, and the loaded edge with it.
+TEST(Edges, ThatPartFromTheirMaterialStopTheRun)
+{
+  scene::Scene scene = small::rectangle({2., 1.5}, {2., 1.}, {6., 5.}, {24, 20});
+  scene.solid->yield_stress = 2.;
+  small::hold(scene, "root", scene::Edge::left, "0", "0");
+  scene::Traction load;
+  load.name = "corner", load.where = scene::Box{{3.7, 2.}, {4.5, 3.2}};
+  load.traction = {small::text("2*ramp(t, 5)"), small::text("3*ramp(t, 5)")};
+  scene.tractions.push_back(load);
+  const solid::Owner bar = solid::make_solid(scene);
+  try
+  {
+    solid::advance(*bar, 8.);
+    FAIL() << "it went on";
+  }
+  catch (const solid::Trouble &trouble)
+  {
+    EXPECT_NE(std::string(trouble.what()).find("has parted from the material"), std::string::npos)
+        << trouble.what();
+  }
 }

@@ -114,8 +114,8 @@ TEST(LightNodes, FeelNoLinearAcceleration)
   EXPECT_LT(worst, 1e-10);
 }
 
-// Four cells high, its end pushed by a dead load through more than its height; a tenth of the work
-// was gone without the floor.
+// Four cells high, its end pushed far by a dead load: 0.5 % of the work is gone, 7.6 % without the
+// floor.
 TEST(LightNodes, KeepTheWorkOfABentCantilever)
 {
   const auto lost = [](const double floor)
