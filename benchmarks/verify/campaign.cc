@@ -97,37 +97,6 @@ namespace verify
       compare_with_accepted(result.verdicts, result.c);
     }
 
-    std::vector<CaseResult> read_cases(const CampaignOptions &options, const Places &places)
-    {
-      std::vector<CaseResult> cases;
-      std::string errors;
-      const bool named = !options.cases.empty();
-      for (const auto &name : named ? options.cases : case_names(places))
-      {
-        const std::string folder = case_folder(places, name);
-        if (!takes_part(folder, options.suite))
-        {
-          if (named)
-            errors += fmt::format("{} has no {}: it takes no part in suite {}\n", folder,
-                                  scene_file(options.suite), options.suite);
-          continue;
-        }
-        try
-        {
-          cases.push_back({read_case(folder, options.suite), {}, {}, {}, {}});
-        }
-        catch (const BadInput &error)
-        {
-          errors += error.what();
-        }
-      }
-      if (!errors.empty())
-        throw BadInput(errors);
-      if (cases.empty())
-        throw BadInput("no case takes part in suite " + options.suite);
-      return cases;
-    }
-
     /// Asks the solvers what the runs that came to an end should have cost, and judges that.
     void foretell(Campaign &campaign)
     {
@@ -191,13 +160,45 @@ namespace verify
     return jobs;
   }
 
+  std::vector<Case> read_cases(const std::vector<std::string> &named, const std::string &suite,
+                               const Places &places)
+  {
+    std::vector<Case> cases;
+    std::string errors;
+    for (const auto &name : named.empty() ? case_names(places) : named)
+    {
+      const std::string folder = case_folder(places, name);
+      if (!takes_part(folder, suite))
+      {
+        if (!named.empty())
+          errors += fmt::format("{} has no {}: it takes no part in suite {}\n", folder,
+                                scene_file(suite), suite);
+        continue;
+      }
+      try
+      {
+        cases.push_back(read_case(folder, suite));
+      }
+      catch (const BadInput &error)
+      {
+        errors += error.what();
+      }
+    }
+    if (!errors.empty())
+      throw BadInput(errors);
+    if (cases.empty())
+      throw BadInput("no case takes part in suite " + suite);
+    return cases;
+  }
+
   Campaign run_campaign(const CampaignOptions &options, const Places &places)
   {
     Campaign campaign;
     campaign.options = options;
     campaign.started = fmt::format("{:%Y-%m-%d %H:%M:%S} UTC", fmt::gmtime(std::time(nullptr)));
     const double start = record::wall_seconds();
-    campaign.cases = read_cases(options, places);
+    for (const auto &c : read_cases(options.cases, options.suite, places))
+      campaign.cases.push_back({c, {}, {}, {}, {}});
     std::vector<Job> all;
     for (auto &result : campaign.cases)
     {

@@ -41,6 +41,11 @@ namespace verify
     int exit_code = 0;
   };
 
+  /// The cases named (all that the suite has if none is), as they stand in the suite. Throws
+  /// BadInput with every error of their files.
+  std::vector<Case> read_cases(const std::vector<std::string> &named, const std::string &suite,
+                               const Places &);
+
   /// The process of one run, in the folder of its suite's records under `output`.
   Job job_of(const Run &, const Case &, const Places &, const std::string &output);
   /// The jobs of one case, with their order of dependence.

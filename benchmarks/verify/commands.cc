@@ -90,23 +90,37 @@ namespace verify
     return 0;
   }
 
-  int plan(const Places &places, const std::string &name, const std::string &suite)
+  namespace
   {
-    const Case c = read_case(case_folder(places, name), suite);
-    fmt::print("{}: {}\n{}\nsuite {}, scene {}\n\n", c.name, c.title, c.about, suite, c.scene);
-    const auto jobs = jobs_of(c, places, "results/" + suite);
-    for (std::size_t i = 0; i < jobs.size(); ++i)
-      fmt::print("run {} (at most {:.0f} s{}{})\n  {}\n", c.runs[i].name, c.runs[i].time_limit_s,
-                 c.runs[i].expect_exit
-                     ? fmt::format(", must end with exit code {}", c.runs[i].expect_exit)
-                     : "",
-                 jobs[i].unavailable ? "; its program is not built" : "",
-                 shell(jobs[i].command.arguments));
-    for (const auto &check : c.checks)
-      fmt::print("\ncheck {}\n  take     {}\n  against  {}\n  norm     {}, within [{:.6g}, {:.6g}] "
-                 "{}\n  source   {}\n  reason   {}\n",
-                 check.name, describe(check.take), describe(check.against), check.norm, check.low,
-                 check.high, check.unit, check.source, check.reason);
+    void print_plan(const Places &places, const Case &c)
+    {
+      fmt::print("{}: {}\n{}\nsuite {}, scene {}\n\n", c.name, c.title, c.about, c.suite, c.scene);
+      const auto jobs = jobs_of(c, places, "results/" + c.suite);
+      for (std::size_t i = 0; i < jobs.size(); ++i)
+        fmt::print("run {} (at most {:.0f} s{}{})\n  {}\n", c.runs[i].name, c.runs[i].time_limit_s,
+                   c.runs[i].expect_exit
+                       ? fmt::format(", must end with exit code {}", c.runs[i].expect_exit)
+                       : "",
+                   jobs[i].unavailable ? "; its program is not built" : "",
+                   shell(jobs[i].command.arguments));
+      for (const auto &check : c.checks)
+        fmt::print(
+            "\ncheck {}\n  take     {}\n  against  {}\n  norm     {}, within [{:.6g}, {:.6g}] "
+            "{}\n  source   {}\n  reason   {}\n",
+            check.name, describe(check.take), describe(check.against), check.norm, check.low,
+            check.high, check.unit, check.source, check.reason);
+    }
+  } // namespace
+
+  int plan(const Places &places, const std::vector<std::string> &cases, const std::string &suite)
+  {
+    const char *gap = "";
+    for (const auto &c : read_cases(cases, suite, places))
+    {
+      fmt::print("{}", gap);
+      print_plan(places, c);
+      gap = "\n";
+    }
     return 0;
   }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "campaign.h"
 #include "places.h"
@@ -9,7 +10,7 @@
 namespace verify
 {
   int list(const Places &);
-  int plan(const Places &, const std::string &case_name, const std::string &suite);
+  int plan(const Places &, const std::vector<std::string> &cases, const std::string &suite);
   int run(const Places &, const CampaignOptions &);
   int report(const Places &, const std::string &folder);
   int diff(const std::string &folder_a, const std::string &folder_b);

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "expect_formulas.h"
 #include "expect_take.h"
 #include "section.h"
 
@@ -100,8 +101,8 @@ namespace verify
                                       : "this check needs limit = one number, or [low, high]");
         return;
       }
-      check.low = limits.size() == 2 ? evaluate(limits[0], constants) : 0.;
-      check.high = evaluate(limits.back(), constants);
+      check.low = limits.size() == 2 ? value_of(section, "limit", limits[0], constants) : 0.;
+      check.high = value_of(section, "limit", limits.back(), constants);
       if (!(check.low <= check.high))
         section.complain("limit", "the lower limit is above the upper one");
     }
@@ -143,6 +144,7 @@ namespace verify
       check.against = read_against(section, check);
       read_uncertainty(section, check);
       read_limit(section, check, c.constants);
+      check_formulas(section, check, c.constants);
       return check;
     }
 

@@ -45,6 +45,22 @@ namespace verify
     }
   }
 
+  std::set<std::string> unknown_names(const std::string &text, const Constants &constants)
+  {
+    try
+    {
+      std::set<std::string> names;
+      mu::Parser parser = parser_of(text, constants); // owns what GetUsedVar refers to
+      for (const auto &used : parser.GetUsedVar())
+        names.insert(used.first);
+      return names;
+    }
+    catch (const mu::Parser::exception_type &error)
+    {
+      throw BadInput(fmt::format("expression `{}`: {}", text, error.GetMsg()));
+    }
+  }
+
   std::vector<double> evaluate(const std::string &text, const Constants &constants,
                                const ColumnData &columns)
   {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,6 +17,9 @@ namespace verify
   /// One number from an expression of the constants. Throws BadInput naming the expression and what
   /// is wrong.
   double evaluate(const std::string &text, const Constants &);
+
+  /// The names in an expression that are no constants. Throws BadInput if it is no expression.
+  std::set<std::string> unknown_names(const std::string &text, const Constants &);
 
   /// One number per row from an expression of constants and columns. Throws MissingData naming the
   /// columns that there are if the expression asks for another, BadInput if it is no expression.

@@ -2,12 +2,15 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <set>
 #include <thread>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "commands.h"
+#include "nearest_name.h"
 #include "section.h"
 
 namespace
@@ -48,7 +51,7 @@ namespace
   {
     app.add_subcommand("list", "every case, its suites, runs and checks");
     auto *plan = app.add_subcommand("plan", "what would run and be checked; runs nothing");
-    plan->add_option("case", a.name)->required();
+    plan->add_option("case", a.campaign.cases, "cases (default: all that the suite has)");
     add_suite(plan, a.suite);
     app.add_subcommand("report", "write the report again")
         ->add_option("folder", a.name)
@@ -129,7 +132,7 @@ namespace
     if (app.got_subcommand("list"))
       return list(places);
     if (app.got_subcommand("plan"))
-      return plan(places, a.name, a.suite.empty() ? "quick" : a.suite);
+      return plan(places, a.campaign.cases, a.suite.empty() ? "quick" : a.suite);
     if (app.got_subcommand("report"))
       return report(places, a.name);
     if (app.got_subcommand("figures"))
@@ -152,6 +155,18 @@ namespace
     if (app.got_subcommand("stability"))
       return stability(places, a.campaign);
     return run(places, a.campaign);
+  }
+
+  int no_such_command(const CLI::App &app, const std::string &written)
+  {
+    std::set<std::string> commands;
+    for (const auto *command : app.get_subcommands(nullptr))
+      commands.insert(command->get_name());
+    const std::string nearest = nearest_name(written, commands);
+    fmt::print(stderr, "verify: no such command: `{}`{}; there are: {}\n", written,
+               nearest.empty() ? "" : fmt::format(" (did you mean `{}`?)", nearest),
+               fmt::join(commands, ", "));
+    return 2;
   }
 } // namespace
 
@@ -182,6 +197,8 @@ int main(int argc, char **argv)
   }
   catch (const CLI::ParseError &error)
   {
+    if (argc > 1 && argv[1][0] != '-' && app.get_subcommands().empty())
+      return no_such_command(app, argv[1]);
     return app.exit(error) == 0 ? 0 : 2; // CLI11's own codes start at 100
   }
   catch (const BadInput &error)

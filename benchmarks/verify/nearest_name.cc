@@ -31,7 +31,7 @@ namespace verify
   std::string nearest_name(const std::string &written, const std::set<std::string> &known)
   {
     std::string nearest;
-    std::size_t smallest = 4;
+    std::size_t smallest = std::min<std::size_t>(4, written.size());
     for (const auto &name : known)
       if (const std::size_t distance = edit_distance(written, name); distance < smallest)
       {

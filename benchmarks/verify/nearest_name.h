@@ -6,6 +6,7 @@
 
 namespace verify
 {
-  /// The name with the fewest changed letters (at most three); "" if none is near.
+  /// The name with the fewest changed letters (at most three, fewer than it has); "" if none is
+  /// near.
   std::string nearest_name(const std::string &written, const std::set<std::string> &known);
 } // namespace verify

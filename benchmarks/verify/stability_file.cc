@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "expect_formulas.h"
 #include "expect_take.h"
 #include "section.h"
 
@@ -55,9 +56,12 @@ namespace verify
         section.complain("", "`limit` is one number, or [low, high]");
       else
       {
-        check.low = limits.size() == 2 ? evaluate(limits[0], c.constants) : 0.;
-        check.high = evaluate(limits.back(), c.constants);
+        check.low = limits.size() == 2 ? value_of(section, "limit", limits[0], c.constants) : 0.;
+        check.high = value_of(section, "limit", limits.back(), c.constants);
       }
+      Constants known = c.constants;
+      known.insert(known.end(), {{"axis_x", 0.}, {"axis_y", 0.}}); // each cell has its own
+      check_formulas(section, check, known);
       accurate.maps = section.texts("maps");
       section.refuse_unused();
       return accurate;
@@ -72,7 +76,7 @@ namespace verify
       watch.take.of = section.required_text("of");
       watch.growth = section.number("growth").value_or(10.);
       if (const auto limit = section.expression("limit"))
-        watch.limit = evaluate(*limit, c.constants);
+        watch.limit = value_of(section, "limit", *limit, c.constants);
       section.refuse_unused();
       return watch;
     }

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "expect_formulas.h"
 #include "expect_take.h"
 #include "judge.h"
 #include "section.h"
@@ -79,6 +80,7 @@ namespace verify
         if (trade.references.size() >= 3)
           check.uncertain_against = trade.references;
       }
+      check_formulas(section, check, trade.c.constants);
       for (const auto &norm : norms)
       {
         check.norm = norm;

@@ -91,3 +91,30 @@ TEST(Expectations, NeedAMeshSizeForAnOrder)
                 "\"zero\"\nnorm = \"l2\"\nlimit = [1, 3]\n");
   EXPECT_NE(text.find("mesh size"), std::string::npos) << text;
 }
+
+TEST(Expectations, ExamineFormulasBeforeAnythingRuns)
+{
+  const std::string number = "take = {run = \"mpm_pf\", number = \"n\"}\n";
+  const auto told = [&](const std::string &rest, const std::string &part)
+  {
+    const std::string text = complaint(head + check + rest);
+    EXPECT_NE(text.find(part), std::string::npos) << rest << part << "\n" << text;
+    EXPECT_NE(text.find("expect.toml"), std::string::npos) << rest << text;
+  };
+  told(number + "against = {number = \"2*(3\"}\nnorm = \"relative\"\nlimit = 1\n", "2*(3");
+  told(number + "against = {number = \"2*sigma\"}\nnorm = \"relative\"\nlimit = 1\n",
+       "no such name: `sigma`");
+  told(number + "against = {number = 1}\nnorm = \"relative\"\nlimit = \"tolerance\"\n",
+       "tolerance");
+  told("take = {value = \"a/b\", with = {a = {run = \"mpm_pf\", number = \"n\"}}}\nnorm = "
+       "\"value\"\nlimit = [0, 1]\n",
+       "no such name: `b`");
+  told("take = {run = \"mpm_pf\", table = \"t\", of = \"u +* v\", reduce = \"max\"}\nagainst = "
+       "\"zero\"\nnorm = \"absolute\"\nlimit = 1\n",
+       "u +* v");
+  // Columns are known only when the record is.
+  EXPECT_EQ(complaint(head + check +
+                      "take = {run = \"mpm_pf\", table = \"t\", of = \"u + v\", reduce = "
+                      "\"max\"}\nagainst = \"zero\"\nnorm = \"absolute\"\nlimit = 1\n"),
+            "");
+}
