@@ -44,7 +44,7 @@ namespace verify
 
     void print_sum(const Campaign &campaign, const Places &places)
     {
-      int passed = 0, failed = 0, drifted = 0;
+      int passed = 0, failed = 0, drifted = 0, forecasts = 0;
       double cpu = 0.;
       for (const auto &result : campaign.cases)
       {
@@ -53,6 +53,7 @@ namespace verify
         {
           (v.status == Status::pass ? passed : failed) += 1;
           drifted += v.drift.drifted ? 1 : 0;
+          forecasts += is_forecast(v) ? 1 : 0;
           bad |= v.status != Status::pass;
         }
         for (const auto &outcome : result.outcomes)
@@ -65,8 +66,9 @@ namespace verify
                      repeat_case(places, result.c, campaign.options.output));
       }
       fmt::print(
-          "\n{} checks passed, {} failed, {} drifted; {:.1f} s wall, {:.1f} s CPU; exit code {}\n",
-          passed, failed, drifted, campaign.wall_s, cpu, campaign.exit_code);
+          "\n{} checks passed, {} failed, {} drifted ({} of all are forecasts); {:.1f} s wall, "
+          "{:.1f} s CPU; exit code {}\n",
+          passed, failed, drifted, forecasts, campaign.wall_s, cpu, campaign.exit_code);
     }
   } // namespace
 

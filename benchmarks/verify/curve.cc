@@ -48,6 +48,18 @@ namespace verify
               fmt::format("value {} at abscissa {} is not finite", curve.y[i], curve.x[i]));
     }
 
+    /// The times must reach both ends of the stretch, to their own widest spacing.
+    void refuse_short(const std::vector<double> &times, const double from, const double to)
+    {
+      double spacing = 0.;
+      for (std::size_t i = 1; i < times.size(); ++i)
+        spacing = std::max(spacing, times[i] - times[i - 1]);
+      spacing *= 1. + 1e-9;
+      if (!times.empty() && (times.front() > from + spacing || times.back() < to - spacing))
+        throw MissingData(fmt::format("short: recorded from time {} to {}, wanted from {} to {}",
+                                      times.front(), times.back(), from, to));
+    }
+
     Curve finite_part(const Curve &curve)
     {
       Curve result;
@@ -120,11 +132,13 @@ namespace verify
     for (std::size_t i = 1; i < n; ++i)
     {
       const double step = curve.x[i] - curve.x[furthest];
-      if (direction == 0 && std::abs(step) > noise)
+      if (direction == 0 && std::abs(step) <= noise)
+        continue; // it has not left its start yet
+      if (direction == 0)
         direction = step > 0. ? 1 : -1;
       if (step * direction >= 0.)
         furthest = i;
-      else if (direction != 0 && std::abs(step) > noise)
+      else if (std::abs(step) > noise)
       {
         result.push_back(part(curve, first, furthest + 1));
         first = furthest;
@@ -209,6 +223,8 @@ namespace verify
     Curve result;
     const auto &key = by_time ? curve.t : curve.x;
     const double slack = 1e-9 * extent(key);
+    if (by_time)
+      refuse_short(key, from, to);
     for (std::size_t i = 0; i < key.size(); ++i)
       if (key[i] >= from - slack && key[i] <= to + slack)
       {
@@ -221,6 +237,7 @@ namespace verify
 
   double reduce(const Curve &whole, const std::string &how)
   {
+    refuse_infinite(whole); // NaN is where a line leaves the body
     const Curve c = finite_part(whole);
     if (c.y.empty())
       throw MissingData("no finite sample");

@@ -59,6 +59,11 @@ namespace verify
       using Kind = Take::Kind;
       if (take.kind == Kind::snapshot && take.reduce.empty())
         section.complain("", "a snapshot needs `reduce`: max, min, mean, ...");
+      for (const char *along : {"slope", "integral", "ripple"})
+        if (take.kind == Kind::snapshot && take.reduce == along)
+          section.complain("reduce", fmt::format("`{}` is along a line or over time; a snapshot has "
+                                                 "no abscissa",
+                                                 along));
       if (take.of.empty() &&
           (take.kind == Kind::table || take.kind == Kind::line || take.kind == Kind::snapshot))
         section.complain("", "the take does not say which quantity: `of` is missing");
@@ -82,6 +87,12 @@ namespace verify
       return take.kind == Take::Kind::outline && (take.of.empty() || take.of == "polygon");
     }
 
+    bool gives_curve(const Take &take)
+    {
+      return take.reduce.empty() && (take.kind == Take::Kind::line ||
+                                     (take.kind == Take::Kind::table && take.at.empty()));
+    }
+
     void check_norm(Section &section, const Check &check)
     {
       const bool of_outlines = check.norm == "hausdorff" || check.norm == "rms_distance" ||
@@ -90,6 +101,9 @@ namespace verify
         section.complain("norm", of_outlines ? "this norm compares outlines"
                                              : "outlines need symmetric_difference, hausdorff or "
                                                "rms_distance");
+      if (gives_curve(check.take) && (check.norm == "relative" || check.norm == "absolute"))
+        section.complain("norm", "this norm compares numbers and the take is a curve",
+                         "take it with `at` or `reduce`, or say max, rms, l2 or mean");
       if ((check.norm == "value") != (check.against.kind == Against::Kind::nothing))
         section.complain("norm", "`value` stands without `against`, every other norm with it");
     }

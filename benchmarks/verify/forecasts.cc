@@ -15,7 +15,7 @@ namespace verify
   namespace
   {
     constexpr double memory_tolerance = 0.10, resident_slack_bytes = 50e6;
-    constexpr double small_memory_bytes = 1e6; // below it a page decides, not the solver
+    constexpr double small_memory_bytes = 1e6; // below it not judged: a page decides
     // Starting a program and opening its record is no part of the forecast and hardly repeats; of a
     // short run it is all.
     constexpr double start_s = 0.15, short_run_s = 1.;
@@ -116,12 +116,11 @@ namespace verify
     // Each miss as a part of what is allowed: 1 is the limit.
     std::map<std::string, double> misses;
     const double longest = std::max(cpu, forecast->cpu_s);
-    if (longest >= short_run_s)
+    if (longest >= short_run_s || std::isnan(forecast->cpu_s))
       misses["time"] =
           std::abs(std::log((forecast->cpu_s + start_s) / (cpu + start_s))) / std::log(factor);
-    if (bytes)
-      misses["memory"] = std::abs(forecast->solver_bytes - *bytes) /
-                         std::max(memory_tolerance * *bytes, small_memory_bytes);
+    if (bytes && !(std::max(*bytes, forecast->solver_bytes) < small_memory_bytes))
+      misses["memory"] = std::abs(forecast->solver_bytes - *bytes) / (memory_tolerance * *bytes);
     misses["resident"] = std::abs(forecast->resident_bytes - resident) /
                          (memory_tolerance * resident + resident_slack_bytes);
     double worst = 0.;
@@ -130,9 +129,10 @@ namespace verify
       const auto found = misses.find(what);
       json[what] = found == misses.end() ? "not judged" : found->second <= 1. ? "met" : "missed";
       const bool gated =
-          found != misses.end() && (std::string_view(what) != "time" || longest >= gated_run_s);
-      if (gated)
-        worst = found->second <= worst ? worst : found->second; // NaN stays
+          found != misses.end() &&
+          (std::string_view(what) != "time" || longest >= gated_run_s || std::isnan(found->second));
+      if (gated && !std::isnan(worst)) // a forecast that is no number must not be outlived
+        worst = std::isnan(found->second) ? found->second : std::max(worst, found->second);
     }
     json["worst_miss"] = number_or_null(worst);
     run["forecast"] = json;
@@ -145,18 +145,18 @@ namespace verify
     check.name = "forecast, " + run.at("name").get<std::string>();
     check.norm = "value";
     check.unit = "of what is allowed";
-    check.source = "--plan of the same run, before it";
+    check.source = "--plan of the same scene and settings, asked when the run was over";
     check.reason =
         "memory of the solver within 10 %, resident memory within 10 % + 50 MB, CPU time "
         "within a factor 2, or 3 where elements choose their steps or points are sown; "
-        "time counts from 10 s of CPU on, memory from misses of 1 MB";
+        "time counts from 10 s of CPU on, memory of the solver from 1 MB on";
     check.take.run = run.at("name");
     check.take.kind = Take::Kind::number;
     check.take.of = "forecast";
     check.high = 1.;
     if (!run.contains("forecast") || run.at("forecast").at("worst_miss").is_null())
     {
-      verdict.why = "the solver foretold nothing";
+      verdict.why = "the solver foretold nothing, or what is no number";
       return verdict;
     }
     const Json &forecast = run.at("forecast");
@@ -173,5 +173,10 @@ namespace verify
         megabytes(forecast.at("resident_bytes")), megabytes(run.at("peak_rss_bytes")),
         forecast.at("resident").get<std::string>());
     return verdict;
+  }
+
+  bool is_forecast(const Verdict &verdict)
+  {
+    return verdict.check.take.of == "forecast";
   }
 } // namespace verify

@@ -34,4 +34,5 @@ namespace verify
 
   /// The check that a run's forecast is: its worst miss as a part of what is allowed.
   Verdict forecast_verdict(const nlohmann::ordered_json &run);
+  bool is_forecast(const Verdict &);
 } // namespace verify

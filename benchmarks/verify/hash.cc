@@ -4,6 +4,7 @@
 #include <fstream>
 #include <map>
 #include <regex>
+#include <set>
 #include <sstream>
 
 #include <fmt/format.h>
@@ -42,13 +43,36 @@ namespace verify
     return hash;
   }
 
+  namespace
+  {
+    /// The text of the scene and of every file that it names in quotes (includes, outlines,
+    /// records), each once.
+    void gather(const std::filesystem::path &path, std::set<std::filesystem::path> &seen,
+                std::string &all)
+    {
+      if (!seen.insert(path).second)
+        return;
+      const std::string text = content(path);
+      all += text;
+      if (path.extension() != ".toml")
+        return;
+      static const std::regex quoted(R"re("([^"\n]+)"|'([^'\n]+)')re");
+      for (std::sregex_iterator i(text.begin(), text.end(), quoted), end; i != end; ++i)
+      {
+        const std::string name = (*i)[1].matched ? (*i)[1].str() : (*i)[2].str();
+        std::error_code ignored; // a title is no file name and may be too long for one
+        const auto file = (path.parent_path() / name).lexically_normal();
+        if (std::filesystem::is_regular_file(file, ignored))
+          gather(file, seen, all);
+      }
+    }
+  } // namespace
+
   std::string hash_of_scene(const std::string &path)
   {
-    const std::string text = content(path);
-    std::string all = text;
-    const std::regex include(R"(^\s*include\s*=\s*["']([^"']+)["'])", std::regex::multiline);
-    for (std::sregex_iterator i(text.begin(), text.end(), include), end; i != end; ++i)
-      all += hash_of_scene((std::filesystem::path(path).parent_path() / (*i)[1].str()).string());
+    std::set<std::filesystem::path> seen;
+    std::string all;
+    gather(std::filesystem::path(path).lexically_normal(), seen, all);
     return hash_of(all);
   }
 

@@ -1,8 +1,9 @@
-// What the cases declare can be read: their trades and their maps of stability.
+// What the cases declare can be read: their checks, their trades and their maps of stability.
 #include <filesystem>
 
 #include <gtest/gtest.h>
 
+#include "expect.h"
 #include "places.h"
 #include "section.h"
 #include "stability_file.h"
@@ -34,6 +35,21 @@ namespace
     return count;
   }
 } // namespace
+
+TEST(Cases, ChecksCanBeReadInEverySuite)
+{
+  for (const char *suite : {"smoke", "quick", "full"})
+  {
+    int checks = 0;
+    read_all("expect.toml",
+             [&](const std::string &folder)
+             {
+               if (verify::takes_part(folder, suite))
+                 checks += static_cast<int>(verify::read_case(folder, suite).checks.size());
+             });
+    EXPECT_GT(checks, 20) << suite;
+  }
+}
 
 TEST(Cases, TradesCanBeRead)
 {

@@ -64,6 +64,29 @@ TEST(Expectations, RefuseNormsThatDoNotFit)
             std::string::npos);
 }
 
+TEST(Expectations, RefuseNormsOfNumbersForCurvesAndIntegralsOfSnapshots)
+{
+  const std::string table = "take = {run = \"mpm_pf\", table = \"t\", of = \"u\"",
+                    zero = "against = \"zero\"\n";
+  for (const char *norm : {"relative", "absolute"})
+  {
+    const std::string limit = "norm = \"" + std::string(norm) + "\"\nlimit = 1\n";
+    EXPECT_NE(complaint(head + check + table + "}\n" + zero + limit).find("a curve"),
+              std::string::npos);
+    EXPECT_EQ(complaint(head + check + table + ", at = 1}\n" + zero + limit), "");
+    EXPECT_EQ(complaint(head + check + table + ", reduce = \"max\"}\n" + zero + limit), "");
+  }
+  const auto reduced = [](const std::string &how)
+  {
+    return complaint(head + check +
+                     "take = {run = \"mpm_pf\", snapshot = \"s\", of = \"u\", reduce = \"" + how +
+                     "\"}\nagainst = \"zero\"\nnorm = \"absolute\"\nlimit = 1\n");
+  };
+  for (const char *how : {"integral", "slope", "ripple"})
+    EXPECT_NE(reduced(how).find("no abscissa"), std::string::npos) << how;
+  EXPECT_EQ(reduced("max"), "");
+}
+
 TEST(Expectations, ResolveTablesBySuiteAndConstants)
 {
   const Workspace w;

@@ -89,8 +89,8 @@ int main(int argc, char **argv)
   const Settings s = settings_of(command);
   if (command.plan)
   {
-    std::printf("  on: everything (line 1)\n  off: nothing\n  memory, points: 0.5 MB\n"
-                "forecast cpu_s=%g solver_bytes=5e5 resident_bytes=%g\n",
+    std::printf("  on: everything (line 1)\n  off: nothing\n  memory, points: 5 MB\n"
+                "forecast cpu_s=%g solver_bytes=5e6 resident_bytes=%g\n",
                 s.at("foretold") > 0. ? s.at("foretold") : 0.01 + s.at("burn"),
                 record::peak_rss_bytes()); // under a sanitizer six times as much
     return 0;
@@ -110,7 +110,7 @@ int main(int argc, char **argv)
                         command.force);
   write(writer, s);
   record::Profile profile;
-  profile.numbers = {{"steps", 100.}, {"cells", 16.}, {"points", 64.}, {"bytes points", 5e5}};
+  profile.numbers = {{"steps", 100.}, {"cells", 16.}, {"points", 64.}, {"bytes points", 5e6}};
   writer.finish(profile);
   return 0;
 }

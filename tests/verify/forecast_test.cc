@@ -1,7 +1,10 @@
 // What solvers foretell (`--plan`), held against what their runs took.
+#include <cmath>
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "forecasts.h"
 #include "workspace.h"
 
 using nlohmann::json;
@@ -16,6 +19,28 @@ namespace
           "number = \"largest\"}\nagainst = {number = 1}\nnorm = \"absolute\"\nlimit = 1\n");
     return json::parse(w.read("results/campaign.json"));
   }
+
+  /// A run of 30 s that held 40 MB in the solver and 100 MB in all.
+  nlohmann::ordered_json long_run()
+  {
+    return {{"name", "mpm_pf"}, {"solver", "mpm_pf"},    {"status", "complete"},
+            {"cpu_s", 30.},     {"peak_rss_bytes", 1e8}, {"profile", {{"bytes points", 4e7}}}};
+  }
+
+  verify::Verdict judged(const verify::Forecast &forecast, nlohmann::ordered_json run = long_run())
+  {
+    verify::add_forecast(forecast, run);
+    return verify::forecast_verdict(run);
+  }
+
+  verify::Forecast foretold(const double cpu_s, const double solver, const double resident)
+  {
+    verify::Forecast forecast;
+    forecast.cpu_s = cpu_s;
+    forecast.solver_bytes = solver;
+    forecast.resident_bytes = resident;
+    return forecast;
+  }
 } // namespace
 
 TEST(Forecast, ThatCameTrueIsMet)
@@ -24,9 +49,9 @@ TEST(Forecast, ThatCameTrueIsMet)
   const json campaign = forecasts_of(w, "\"fake.burn=1.2\"");
   const json &run = campaign["cases"][0]["runs"][0];
   EXPECT_EQ(run["forecast"]["time"], "met") << run["forecast"];
-  EXPECT_EQ(run["forecast"]["memory"], "met"); // 0.5 MB foretold and held
+  EXPECT_EQ(run["forecast"]["memory"], "met"); // 5 MB foretold and held
   EXPECT_EQ(run["forecast"]["on"], "everything (line 1)");
-  EXPECT_EQ(run["forecast"]["bytes"]["points"], 5e5);
+  EXPECT_EQ(run["forecast"]["bytes"]["points"], 5e6);
   EXPECT_EQ(campaign["forecasts"]["time"]["met"], 1);
 }
 
@@ -62,4 +87,26 @@ TEST(Forecast, OfAShortRunIsNotJudgedByItsTime)
   EXPECT_EQ(campaign["cases"][0]["runs"][0]["forecast"]["time"], "not judged");
   EXPECT_EQ(campaign["cases"][0]["checks"].back()["status"], "pass");
   EXPECT_EQ(campaign["exit_code"], 0);
+}
+
+TEST(Forecast, ThatIsNoNumberNeverPasses)
+{
+  using verify::Status;
+  ASSERT_EQ(judged(foretold(30., 4e7, 1e8)).status, Status::pass);
+  const double absent = std::nan("");
+  EXPECT_NE(judged(foretold(absent, 4e7, 1e8)).status, Status::pass);
+  EXPECT_NE(judged(foretold(30., absent, 1e8)).status, Status::pass);
+  EXPECT_NE(judged(foretold(30., 4e7, absent)).status, Status::pass);
+}
+
+TEST(Forecast, OfTheSolversMemoryCountsFromOneMegabyteOn)
+{
+  using verify::Status;
+  EXPECT_EQ(judged(foretold(30., 4.3e7, 1e8)).status, Status::pass);
+  EXPECT_EQ(judged(foretold(30., 4.5e7, 1e8)).status, Status::fail);
+  auto small = long_run();
+  small["profile"]["bytes points"] = 2e5;
+  verify::add_forecast(foretold(30., 9e5, 1e8), small);
+  EXPECT_EQ(small["forecast"]["memory"], "not judged");
+  EXPECT_EQ(judged(foretold(30., 2e6, 1e8), small).status, Status::fail);
 }
