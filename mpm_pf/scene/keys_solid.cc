@@ -96,7 +96,10 @@ namespace scene
                                   "Material held or driven; its reaction is always recorded.",
                                   "All material that starts in this box (a grip).")
           .require("displacement", &SupportInput::displacement, any(Dimension::length),
-                   "Displacement in x and y; \"free\" leaves a component free.", "")
+                   "Displacement in x and y; \"free\" leaves a component free. An edge that is "
+                   "free across "
+                   "itself may turn and bend.",
+                   "")
           .repeated();
     }
 

@@ -28,6 +28,8 @@ namespace solid
       std::uint8_t at(const std::ptrdiff_t n) const
       {
         std::uint8_t free = of_fold[grid.fold[n]];
+        if (!supports.tied.empty())
+          free &= static_cast<std::uint8_t>(~supports.tied[n]);
         for (int c = 0; c < 2 && !supports.driven_parts.empty(); ++c)
           if (supports.driven_parts[n][c].mass > 0.)
             free &= static_cast<std::uint8_t>(~(1 << c));

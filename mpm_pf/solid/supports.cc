@@ -19,28 +19,22 @@ namespace solid
         return;
       const Motion &motion = supports[line.support].motion;
       const int along = 1 - line.axis;
-      const bool known = motion.holds(line.axis);
-      if (known)
+      double shift = 0.;
+      for (const double s : {0., 0.5, 1.})
       {
-        double shift = 0.;
-        for (const double s : {0., 0.5, 1.})
-        {
-          Point X;
-          X[line.axis] = line.initial, X[along] = line.from + s * (line.to - line.from);
-          shift += motion.at(X, X, t)[line.axis] / 3.;
-        }
-        line.position = line.initial + shift;
+        Point X;
+        X[line.axis] = line.initial, X[along] = line.from + s * (line.to - line.from);
+        shift += motion.at(X, X, t)[line.axis] / 3.;
       }
+      line.position = line.initial + shift;
       if (line.bit == 0)
       {
         Point X;
         X[line.axis] = line.initial, X[along] = line.from;
-        const double shift = motion.at(X, X, t)[along];
-        line.lower = line.from + shift, line.upper = line.to + shift;
+        const double along_it = motion.at(X, X, t)[along];
+        line.lower = line.from + along_it, line.upper = line.to + along_it;
         return;
       }
-      double sum = 0.;
-      int count = 0;
       line.lower = std::numeric_limits<double>::max(), line.upper = -line.lower;
       for (const auto &outline : tracers.outlines)
         for (const Tracer &tracer : outline)
@@ -48,11 +42,8 @@ namespace solid
           {
             line.lower = std::min(line.lower, tracer.x[along]);
             line.upper = std::max(line.upper, tracer.x[along]);
-            sum += tracer.x[line.axis], ++count;
           }
       line.lower -= line.overhang[0], line.upper += line.overhang[1];
-      if (!known && count > 0)
-        line.position = sum / count;
     }
 
     void mark(Supports &supports, Grid &grid, const std::ptrdiff_t n, const int axis,
@@ -158,12 +149,16 @@ namespace solid
                         [&](int, int, const std::ptrdiff_t n)
                         { mark(supports, grid, n, line.axis, static_cast<int>(l)); });
     }
+    if (!supports.edges.empty())
+      place_edges(supports, tracers, grid);
   }
 
   void hold(Supports &supports, Grid &grid, const double t, const double dt, const bool book)
   {
     if (!supports.driven.empty())
       hold_driven(supports, grid, book);
+    if (!supports.edges.empty())
+      hold_edges(supports, grid, t, dt, book);
     for (std::size_t l = 0; l < supports.lines.size(); ++l)
       hold_line(supports, supports.lines[l], supports.folds.lines[l], grid, t, dt, book);
   }
@@ -193,5 +188,6 @@ namespace solid
             tracer.x = tracer.X + u;
     }
     carry_driven(supports, points);
+    carry_edges(supports, tracers, t + dt);
   }
 } // namespace solid

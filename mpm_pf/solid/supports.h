@@ -3,13 +3,14 @@
 // An edge, a segment, a symmetry side of the domain and the sides of a grip are all *held lines*:
 // straight, parallel to an axis, with material on one side. Shape functions are folded there
 // (shape_functions.h), so the row of nodes next to the line, its carriers, has the line's own
-// velocity. Each component may be held or free; where the normal one is free the line follows its
-// tracers. A region whose whole displacement is given and uniform is a rigid grip: its points leave
-// the equations and ride along, its sides towards other material are held lines that move through
-// the cells with the grip, so that the gauge length is exact. Any other region, and one with
-// material around a corner of its box, is *driven*: the displacement increments of its points are
-// projected on the nodes with their masses and gradients, which is exact for affine motions, and
-// nodes take them, those around the sides of the box as driven_sides.cc says.
+// velocity. Each component may be held or free; an edge whose normal component is free turns and
+// bends with its material, as no line does: its nodes are tied, see turning_edges.cc. A region
+// whose whole displacement is given and uniform is a rigid grip: its points leave the equations and
+// ride along, its sides towards other material are held lines that move through the cells with the
+// grip, so that the gauge length is exact. Any other region, and one with material around a corner
+// of its box, is *driven*: the displacement increments of its points are projected on the nodes
+// with their masses and gradients, which is exact for affine motions, and nodes take them, those
+// around the sides of the box as driven_sides.cc says.
 //
 // Every prescribed velocity is an increment of displacement over dt, so prescribed positions never
 // drift. The reaction is the momentum which the nodes are given beyond Eq. (4), over dt.
@@ -72,6 +73,32 @@ namespace solid
     double position = 0., lower = 0., upper = 0.; // position and extent now
   };
 
+  /// A node near a turning edge as the edge sees it.
+  struct NearEdge
+  {
+    std::ptrdiff_t node = 0;
+    std::array<int, 2> at{0, 0};   // column and row
+    std::array<int, 2> step{0, 0}; // into the material along its row or column
+    std::size_t outline = 0, chord = 0;
+    double distance2 = 0.;  // from that chord
+    double distance = 0.;   // from the edge along the row or column, in cells, inwards positive
+    bool beside = false;    // between the edge's ends or within its reach of them
+    Point X, x;             // where the row or column cuts the edge, initially and now
+    int master = -1;        // index of the node that it is tied to, if any
+    double ratio = 0.;      // v - V over that of its master
+    double prescribed = 0.; // V
+    double mass = 0.,
+           p = 0.; // of all that its master moves, if it is one: sum r^2 m, sum r m (v - V)
+  };
+
+  /// An edge held along itself and free across.
+  struct TurningEdge
+  {
+    HeldLine line; // as at the start
+    std::vector<NearEdge> nodes;
+    int component() const { return 1 - line.axis; }
+  };
+
   struct Grip
   {
     int support = 0;
@@ -116,11 +143,15 @@ namespace solid
   {
     std::vector<Support> all;
     std::vector<HeldLine> lines;
+    std::vector<TurningEdge> edges;
     std::vector<Grip> grips;
     std::vector<DrivenRegion> driven;
     // Only if there are driven regions, by node and by point:
     std::vector<std::array<DrivenPart, 2>> driven_parts;
     std::vector<Prescribed> prescribed;
+    // Only if there are turning edges, by node: components that they hold, index in an edge's list.
+    std::vector<std::uint8_t> tied;
+    std::vector<int> listed;
     FoldTable folds;
     std::vector<std::ptrdiff_t> marked; // nodes whose fold is set
     double speed = 0.;                  // largest prescribed in the last step
@@ -173,6 +204,12 @@ namespace solid
 
   /// Points and tracers with prescribed positions to time t + dt.
   void carry(Supports &, Points &, Tracers &, const Fraction &, double t, double dt);
+
+  /// The nodes near turning edges and what they are tied to; their velocities over [t, t + dt]; the
+  /// tracers of the edges to where they belong at time t.
+  void place_edges(Supports &, const Tracers &, const Grid &);
+  void hold_edges(Supports &, Grid &, double t, double dt, bool book);
+  void carry_edges(const Supports &, Tracers &, double t);
 
   /// The nodes in and around driven boxes, see driven_sides.cc.
   void hold_driven(Supports &, Grid &, bool book);

@@ -136,25 +136,29 @@ namespace solid
         refuse(asked, "holds less of the outline than the half cell (" +
                           std::to_string(0.5 * build.dx) +
                           ") that can be held; name a longer straight piece, or a box of material");
+      std::vector<HeldLine> pieces;
       for (const auto &[s, tracer] : found)
       {
-        const bool gap = s > line.to + 0.75 * build.dx;
-        if (tracer == found.front().second || gap)
+        if (pieces.empty() || s > pieces.back().to + 0.75 * build.dx)
         {
           if (build.edges >= 32)
             refuse(asked, "is the 33rd piece of outline; at most 32 can be held");
           line.from = s, line.bit = 1u << build.edges++;
-          build.supports.lines.push_back(line);
+          pieces.push_back(line);
         }
-        line.to = s;
-        build.supports.lines.back().to = s;
-        tracer->lines |= line.bit;
+        pieces.back().to = s;
+        tracer->lines |= pieces.back().bit;
         support.corners.push_back(tracer->X);
       }
       support.middle = 0.5 * (found.front().second->X + found.back().second->X);
-      for (HeldLine &held : build.supports.lines)
-        if (held.support == index)
-          end_line(build, asked, held);
+      for (HeldLine &piece : pieces)
+      {
+        end_line(build, asked, piece);
+        if (support.motion.holds(line.axis))
+          build.supports.lines.push_back(piece);
+        else if (support.motion.holds(along))
+          build.supports.edges.push_back({piece, {}});
+      }
       refuse_bending(build, asked, support, line);
     }
 
