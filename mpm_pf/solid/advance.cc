@@ -214,8 +214,8 @@ namespace solid
       Timed timed(solid, "nodes to points");
       nodes_to_points(solid, dt, stress_first ? Part::motion : Part::all);
     }
+    carry(solid.supports, solid.points, solid.tracers, solid.fraction, solid.loads, solid.time, dt);
     book_body_work(solid.loads, solid.points, dt);
-    carry(solid.supports, solid.points, solid.tracers, solid.fraction, solid.time, dt);
     solid.time += dt;
     ++solid.steps;
     take_stock(solid, dt);

@@ -70,11 +70,7 @@ namespace solid
       double inverse_density, dt;
       bool book; // else the forces were left out
 
-      Point push(const std::size_t p) const
-      {
-        const Acceleration &a = acceleration;
-        return dt * points.mass[p] * (a.x.empty() ? a.uniform : Point(a.x[p], a.y[p]));
-      }
+      Point push(const std::size_t p) const { return dt * points.mass[p] * acceleration.at(p); }
       Matrix stress(const std::size_t p) const // times volume and dt
       {
         Matrix s;

@@ -48,6 +48,10 @@ namespace solid
     for (const scene::Traction &asked : scene.tractions)
     {
       const std::size_t index = loads.tractions.size();
+      const std::string where = asked.place.file + ":" + std::to_string(asked.place.line) +
+                                ": traction \"" + asked.name + "\" ";
+      if (index >= 32)
+        throw scene::BadScene(where + "is the 33rd traction; at most 32 are possible");
       bool any = false;
       const auto loaded = [&](const Point &X)
       { return scene::contains(asked.where, box, X, tolerance); };
@@ -58,13 +62,9 @@ namespace solid
           if (loaded(on_chord(outline, k, 0.5)[0]))
             outline[k].loads |= 1u << index, any = true;
       }
-      const std::string where = asked.place.file + ":" + std::to_string(asked.place.line) +
-                                ": traction \"" + asked.name + "\" ";
       if (!any)
         throw scene::BadScene(where + "touches no straight piece of the outline; name an edge or a "
                                       "segment on it");
-      if (index >= 32)
-        throw scene::BadScene(where + "is the 33rd traction; at most 32 are possible");
       Load load{
           asked.name, {scene::Function(asked.traction[0]), scene::Function(asked.traction[1])}, {}};
       if (asked.pressure)
@@ -92,7 +92,7 @@ namespace solid
       return;
     }
     acceleration.x.resize(points.size()), acceleration.y.resize(points.size());
-    for (std::size_t p = 0; p < points.active; ++p)
+    for (std::size_t p = 0; p < points.size(); ++p)
     {
       const scene::Argument at{fraction.initial(points, p), {points.x[p], points.y[p]}, t};
       acceleration.x[p] = loads.true_mass * bx(at), acceleration.y[p] = loads.true_mass * by(at);
@@ -109,7 +109,8 @@ namespace solid
       return chord.norm() * Point(load.traction[0](at), load.traction[1](at));
     }
 
-    void spread(Loads &loads, const Scheme &scheme, const FoldTable &table, Grid &grid,
+    // False if no node there has mass.
+    bool spread(Loads &loads, const Scheme &scheme, const FoldTable &table, Grid &grid,
                 const Point &x, const Point &force)
     {
       const Stencil s = stencil(scheme, grid, table, x);
@@ -127,6 +128,14 @@ namespace solid
         grid.nodes[n].motion += Quad{0., part[0], 0., part[1]};
         loads.pushes.push_back({n, part});
       }
+      return sum > 0.;
+    }
+
+    void put_on_grip(Loads &loads, const int grip, const Point &force)
+    {
+      const auto count = static_cast<std::size_t>(grip) + 1;
+      loads.on_grips.resize(std::max(loads.on_grips.size(), count), Point(0., 0.));
+      loads.on_grips[grip] += force;
     }
   } // namespace
 
@@ -134,6 +143,7 @@ namespace solid
             const FoldTable &table, Grid &grid, const double inverse_density, const double t)
   {
     loads.pushes.clear(), loads.parted.reset();
+    std::fill(loads.on_grips.begin(), loads.on_grips.end(), Point(0., 0.));
     if (loads.tractions.empty())
       return;
     loads.shares.measure(tracers, points, scheme, table, grid, inverse_density);
@@ -142,21 +152,26 @@ namespace solid
       {
         if (outline[k].loads == 0)
           continue;
-        const Point chord = outline[(k + 1) % outline.size()].x - outline[k].x;
+        const Tracer &next = outline[(k + 1) % outline.size()];
+        const Point chord = next.x - outline[k].x;
+        const int grip = std::max(outline[k].grip, next.grip); // of one end at least, or -1
+        const bool gripped = grip >= 0 && outline[k].grip == next.grip;
         for (const double s : chord_gauss_points)
         {
           const auto [X, x] = on_chord(outline, k, s);
-          if (!grid.surrounds(x))
+          const bool seen = grid.surrounds(x);
+          if (!seen && grip < 0)
           {
-            if (outline[k].grip < 0)
-              loads.parted = X;
+            loads.parted = X;
             continue;
           }
           Point force = Point::Zero();
           for (std::size_t l = 0; l < loads.tractions.size(); ++l)
             if (outline[k].loads & (1u << l))
               force += 0.5 * force_on(loads.tractions[l], chord, {X, x, t});
-          spread(loads, scheme, table, grid, x, force);
+          const bool nodes_take = seen && !gripped && spread(loads, scheme, table, grid, x, force);
+          if (grip >= 0 && !nodes_take)
+            put_on_grip(loads, grip, force);
         }
       }
   }
@@ -177,7 +192,7 @@ namespace solid
       return;
     const Acceleration &a = loads.acceleration;
     double work = 0.;
-    for (std::size_t p = 0; p < points.active; ++p)
+    for (std::size_t p = 0; p < points.size(); ++p)
       work += points.mass[p] * (points.vx[p] * (a.x.empty() ? a.uniform[0] : a.x[p]) +
                                 points.vy[p] * (a.y.empty() ? a.uniform[1] : a.y[p]));
     loads.work += dt * work, loads.work_done += std::abs(dt * work);

@@ -30,7 +30,8 @@ namespace solid
       std::ptrdiff_t node;
       Point force;
     };
-    std::vector<Push> pushes; // of this step, for their work
+    std::vector<Push> pushes;    // of this step, for their work
+    std::vector<Point> on_grips; // forces of this step that rigid grips take, by grip
     EdgeShares shares;
     std::optional<Point> parted; // where a loaded edge started that no material is near any more
     std::optional<std::array<scene::Function, 2>> body_force;
@@ -43,7 +44,7 @@ namespace solid
   /// nothing.
   Loads make_loads(const scene::Scene &, Tracers &);
 
-  /// Accelerations of the active points at time t.
+  /// Accelerations of the points at time t.
   void evaluate_body_force(Loads &, const Points &, const Fraction &, double t);
 
   /// Add the tractions at time t to the nodal forces.

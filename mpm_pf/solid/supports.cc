@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "solid/loads.h"
 #include "solid/walls.h"
 
 namespace solid
@@ -94,6 +95,23 @@ namespace solid
                           give(supports, support, grid, n, line.held, v, book);
                       });
     }
+
+    // What a rigid grip takes beyond what its sides do, as that of driven points (driven.cc).
+    struct Account
+    {
+      Point velocity;
+      double dt;
+      Point impulse;
+      double work;
+      void charge(const Points &points, const std::size_t p, const Acceleration &acceleration)
+      {
+        const Point before(points.vx[p], points.vy[p]);
+        const Point push = dt * points.mass[p] * acceleration.at(p);
+        impulse += points.mass[p] * (velocity - before) - push;
+        work += 0.5 * points.mass[p] * (velocity.squaredNorm() - before.squaredNorm()) -
+                push.dot(velocity);
+      }
+    };
   } // namespace
 
   void give(Supports &supports, Support *support, Grid &grid, const std::ptrdiff_t n,
@@ -164,24 +182,31 @@ namespace solid
   }
 
   void carry(Supports &supports, Points &points, Tracers &tracers, const Fraction &fraction,
-             const double t, const double dt)
+             Loads &loads, const double t, const double dt)
   {
     for (Support &support : supports.all)
       support.displacement = support.motion.at(support.middle, support.middle, t + dt);
-    for (std::size_t g = 0; g < supports.grips.size(); ++g)
+    unsigned later = 0; // a point in two grips goes with the last
+    for (std::size_t g = supports.grips.size(); g-- > 0;)
     {
-      const Support &support = supports.all[supports.grips[g].support];
+      const Grip &grip = supports.grips[g];
+      Support &support = supports.all[grip.support];
       const Point u = support.displacement;
       const Point v = (u - support.motion.at(support.middle, support.middle, t)) / dt;
+      const Point load = g < loads.on_grips.size() ? loads.on_grips[g] : Point(0., 0.);
+      loads.work += dt * load.dot(v), loads.work_done += std::abs(dt * load.dot(v));
+      Account account{v, dt, -dt * load, -dt * load.dot(v)};
       for (std::size_t p = points.active; p < points.size(); ++p)
-        if (points.regions[p] & (1u << supports.grips[g].region))
+        if ((points.regions[p] & (1u << grip.region)) && !(points.regions[p] & later))
         {
+          account.charge(points, p, loads.acceleration);
           const Point X = fraction.initial(points, p);
           points.x[p] = X[0] + u[0], points.y[p] = X[1] + u[1];
-          const double before = points.vx[p] * points.vx[p] + points.vy[p] * points.vy[p];
-          supports.work += 0.5 * points.mass[p] * (v.squaredNorm() - before);
           points.vx[p] = v[0], points.vy[p] = v[1];
         }
+      later |= 1u << grip.region;
+      support.impulse += account.impulse, support.call_impulse += account.impulse;
+      supports.work += account.work, supports.work_done += std::abs(account.work);
       for (auto &outline : tracers.outlines)
         for (Tracer &tracer : outline)
           if (tracer.grip == static_cast<int>(g))

@@ -47,6 +47,8 @@ namespace solid
     Point at(const Point &X, const Point &x, double t) const;
   };
 
+  struct Loads; // loads.h
+
   struct Support
   {
     std::string name;
@@ -202,8 +204,9 @@ namespace solid
   void give(Supports &, Support *, Grid &, std::ptrdiff_t node, const std::array<bool, 2> &held,
             const Point &v, bool book);
 
-  /// Points and tracers with prescribed positions to time t + dt.
-  void carry(Supports &, Points &, Tracers &, const Fraction &, double t, double dt);
+  /// Points and tracers with prescribed positions to time t + dt, and what that takes of a rigid
+  /// grip: its points' momentum and the loads on them.
+  void carry(Supports &, Points &, Tracers &, const Fraction &, Loads &, double t, double dt);
 
   /// The nodes near turning edges and what they are tied to; their velocities over [t, t + dt]; the
   /// tracers of the edges to where they belong at time t.
