@@ -4,7 +4,8 @@
     postprocess/presets.py RESULTS_DIR [README]
 
 The marks are lines `<!-- presets: begin -->` and `<!-- presets: end -->`; what stands between them is replaced. The rows are those that were
-measured with `accuracy = ...`: nothing is computed here that was not run.
+measured with `accuracy = ...`: nothing is computed here that was not run. An error below the uncertainty U of what it is held against cannot be
+told from none: it stands as `< U`. Where a reference is one run without grids its uncertainty is unknown, and a `?` says so.
 """
 
 import json
@@ -21,11 +22,18 @@ def level(row):
     return word if word in LEVELS else None
 
 
-def cell(row, measure):
+def percent(error):
+    return f"{100 * error:.2g} %" if error < 0.995 else f"{100 * error:.0f} %"
+
+
+def cell(row, measure, uncertainty):
     if row is None:
         return "–"
     error = row["errors"].get(measure)
-    text = row["status"] if error is None else f"{100 * error:.2g} %" if error < 0.995 else f"{100 * error:.0f} %"
+    if error is None:
+        text = row["status"] if row["status"] != "complete" else "not measured"
+    else:
+        text = f"< {percent(uncertainty)}" if uncertainty and error < uncertainty else percent(error)
     return f'{text}, {row["cpu_s"]:.2g} s, {row["peak_rss_bytes"] / 1e6:.0f} MB'
 
 
@@ -34,20 +42,34 @@ def measure_of(trade):
     return trade["measures"][0]
 
 
+def against(trade, measure):
+    """What the errors are distances from, with its uncertainty, or `?` where that is unknown."""
+    reference = trade["reference"]
+    what = reference.get("against", {}).get(measure, "not said")
+    known = reference["uncertainty"]
+    if measure not in known:
+        return what
+    return f"{what} (?)" if known[measure] is None else f"{what} (± {percent(known[measure])})"
+
+
 def lines(trades):
-    yield "| case | error of | solver | " + " | ".join(f'`"{name}"`' for name in LEVELS) + " |"
-    yield "|---|---|---|" + "---|" * len(LEVELS)
+    yield "| case | error of | against | solver | " + " | ".join(f'`"{name}"`' for name in LEVELS) + " |"
+    yield "|---|---|---|---|" + "---|" * len(LEVELS)
     for trade in trades:
         measure = measure_of(trade)
         rows = [row for row in trade["rows"] if level(row)]
         for solver in dict.fromkeys(row["solver"] for row in rows):
             found = {level(row): row for row in rows if row["solver"] == solver}
-            yield f'| {trade["case"]} | {measure} | {solver} | ' + " | ".join(cell(found.get(name), measure) for name in LEVELS) + " |"
+            uncertainty = trade["reference"]["uncertainty"].get(measure)
+            cells = " | ".join(cell(found.get(name), measure, uncertainty) for name in LEVELS)
+            yield f'| {trade["case"]} | {measure} | {against(trade, measure)} | {solver} | {cells} |'
 
 
 def table(folder):
     trades = [json.loads(path.read_text()) for path in sorted((folder / "tradeoff").glob("*.json"))]
     trades = [trade for trade in trades if any(level(row) for row in trade["rows"])]
+    for origin in sorted({(trade["provenance"].get("commit", "unknown"), trade["provenance"].get("start", "")[:10]) for trade in trades}):
+        print(f"measured with commit {origin[0]} on {origin[1]}", file=sys.stderr)
     return "\n".join(lines(trades)) + "\n" if trades else ""
 
 
