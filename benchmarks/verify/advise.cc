@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "commands.h"
+#include "record/provenance.h"
 #include "section.h"
 #include "written.h"
 
@@ -122,6 +123,30 @@ namespace verify
         fmt::print("nothing cheaper was measured\n");
       fmt::print("repeat with\n  {}\n", best.at("repeat").get<std::string>());
     }
+
+    /// Of the reference of a measure: 0 of a theory, nothing of a run without grids.
+    std::optional<double> uncertainty_of(const Json &trade, const std::string &measure)
+    {
+      const auto &known = trade.at("reference").at("uncertainty");
+      if (!known.contains(measure))
+        return 0.;
+      return known.at(measure).is_null() ? std::nullopt
+                                         : std::optional<double>(known.at(measure).get<double>());
+    }
+
+    /// When and with which program it was measured; a warning if this is another one.
+    void print_origin(const Json &trade, const Places &places, const std::string &name,
+                      const std::string &output)
+    {
+      const Json &made = trade.value("provenance", Json::object());
+      const std::string commit = made.value("commit", "unknown"),
+                        present = record::collect("verify", "", 1).at("commit");
+      fmt::print("measured {}, commit {}\n", made.value("start", "at an unknown time"), commit);
+      if (commit != present)
+        fmt::print("warning: this program is of commit {}; measure again with\n  {} tradeoff {} "
+                   "--output {}\n",
+                   present, places.program, name, output);
+    }
   } // namespace
 
   int advise(const Places &places, const std::string &name, const std::string &quantity,
@@ -139,11 +164,15 @@ namespace verify
       return 4;
     }
     const std::string measure = measure_named(trade, quantity);
-    const auto &known = trade.at("reference").at("uncertainty");
-    const double uncertainty = known.contains(measure) ? known.at(measure).get<double>() : 0.;
-    fmt::print("{}: {} at most {:.3g}; margin {}, uncertainty of the reference {:.2g}\n", name,
-               measure, wanted, margin, uncertainty);
-    const double allowed = wanted / margin - uncertainty;
+    print_origin(trade, places, name, output);
+    const std::optional<double> uncertainty = uncertainty_of(trade, measure);
+    fmt::print("{}: {} at most {:.3g}; margin {}, uncertainty of the reference {}\n", name, measure,
+               wanted, margin, uncertainty ? fmt::format("{:.2g}", *uncertainty) : "unknown");
+    if (!uncertainty)
+      fmt::print(
+          "warning: errors are distances from one run whose own error nobody measured; three "
+          "or more [[reference]] would tell it\n");
+    const double allowed = wanted / margin - uncertainty.value_or(0.);
     if (allowed > 0.)
       fmt::print("so a measured error of at most {:.2g} meets it\n", allowed);
     else

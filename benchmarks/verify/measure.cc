@@ -8,6 +8,7 @@
 #include "curve.h"
 #include "outline_measure.h"
 #include "section.h"
+#include "whole_run.h"
 
 namespace verify
 {
@@ -66,6 +67,8 @@ namespace verify
       ColumnData columns;
       for (const auto &[prefix, name] : take.probes)
         add_table(reader.table(name), prefix, columns);
+      if (take.at == "end")
+        refuse_early_end(reader, columns.at("time"));
       return curve_or_number(take, constants, columns, true);
     }
 

@@ -20,6 +20,7 @@ namespace verify
     {
       std::size_t row = 0;
       double stable = 0., unstable = 0.;
+      std::string stopped; // class of a cell between the two that is neither: no finer edge
     };
 
     /// Neighbouring cells of each row, one stable and one not, whose x are numbers.
@@ -33,7 +34,7 @@ namespace verify
         char *end_a = nullptr, *end_b = nullptr;
         const double x_a = std::strtod(a.x.c_str(), &end_a), x_b = std::strtod(b.x.c_str(), &end_b);
         if (a.row == b.row && crossing && *end_a == '\0' && *end_b == '\0')
-          edges.push_back({a.row, a.stable() ? x_a : x_b, a.stable() ? x_b : x_a});
+          edges.push_back({a.row, a.stable() ? x_a : x_b, a.stable() ? x_b : x_a, {}});
       }
       return edges;
     }
@@ -41,11 +42,15 @@ namespace verify
     void bisect(const Mapper &mapper, const Map &map, const std::size_t number,
                 std::vector<Edge> &edges)
     {
-      for (int k = 0; k < map.bisections && !edges.empty() && !interrupted(); ++k)
+      for (int k = 0; k < map.bisections && !interrupted(); ++k)
       {
         std::vector<Cell> cells;
-        for (const auto &edge : edges)
+        std::vector<Edge *> open;
+        for (auto &edge : edges)
         {
+          if (!edge.stopped.empty())
+            continue;
+          open.push_back(&edge);
           const double middle = map.x.logarithmic ? std::sqrt(edge.stable * edge.unstable)
                                                   : 0.5 * (edge.stable + edge.unstable);
           std::string x = fmt::format("{:.6g}", middle);
@@ -54,9 +59,14 @@ namespace verify
           cells.push_back(
               mapper.cell(map, number, x, map.y.values.empty() ? "" : map.y.values[edge.row]));
         }
+        if (open.empty())
+          return;
         mapper.run(cells);
-        for (std::size_t i = 0; i < edges.size(); ++i)
-          (cells[i].unstable() ? edges[i].unstable : edges[i].stable) = std::stod(cells[i].x);
+        for (std::size_t i = 0; i < open.size(); ++i)
+          if (cells[i].judged())
+            (cells[i].unstable() ? open[i]->unstable : open[i]->stable) = std::stod(cells[i].x);
+          else
+            open[i]->stopped = cells[i].kind;
       }
     }
 
@@ -67,11 +77,9 @@ namespace verify
 
     Json edge_to_json(const Edge &edge, const Map &map, const Constants &constants)
     {
-      Json json{{"row", edge.row},
-                {"stable", edge.stable},
-                {"unstable", edge.unstable},
-                {"edge", 0.5 * (edge.stable + edge.unstable)},
-                {"theory", nullptr}};
+      Json json{{"row", edge.row},           {"stable", edge.stable},
+                {"unstable", edge.unstable}, {"edge", 0.5 * (edge.stable + edge.unstable)},
+                {"stopped", edge.stopped},   {"theory", nullptr}};
       if (map.theory.empty())
         return json;
       Constants known = constants;
@@ -126,12 +134,28 @@ namespace verify
       for (const auto &edge : map["edges"])
         fmt::print("  edge in row {}: stable at {:.5g}, not at {:.5g}\n", edge["row"].get<int>(),
                    edge["stable"].get<double>(), edge["unstable"].get<double>());
+      for (const auto &edge : map["edges"])
+        if (const std::string stopped = edge["stopped"]; !stopped.empty())
+          fmt::print("  edge in row {}: no finer, what lies between is {}\n",
+                     edge["row"].get<int>(), stopped);
+    }
+
+    /// A map of which no cell came to a class of stability.
+    bool says_nothing(const Json &map)
+    {
+      for (const auto &cell : map["cells"])
+        if (const std::string kind = cell["class"];
+            kind != "refused" && kind != "not judged" && kind != "out of time")
+          return false;
+      fmt::print("map `{}` says nothing: all its cells were refused, not judged or out of time\n",
+                 map["name"].get<std::string>());
+      return true;
     }
   } // namespace
 
   int stability(const Places &places, const CampaignOptions &options)
   {
-    int cells = 0;
+    int cells = 0, empty_maps = 0;
     for (const auto &name : options.cases.empty() ? case_names(places) : options.cases)
     {
       const std::string folder = case_folder(places, name);
@@ -156,6 +180,7 @@ namespace verify
         if (interrupted())
           return 130;
         print_map(result["maps"].back());
+        empty_maps += says_nothing(result["maps"].back()) ? 1 : 0;
         cells += static_cast<int>(result["maps"].back()["cells"].size());
       }
       write_text(options.output + "/stability/" + name + ".json",
@@ -164,6 +189,6 @@ namespace verify
     fmt::print("\n{} cells in {}/stability\n", cells, options.output);
     if (cells > 0)
       report(places, options.output);
-    return cells > 0 ? 0 : 4;
+    return cells == 0 ? 4 : empty_maps > 0 ? 1 : 0;
   }
 } // namespace verify

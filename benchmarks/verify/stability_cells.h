@@ -17,10 +17,9 @@ namespace verify
     Job job;
     Outcome outcome;
     bool stable() const { return kind == "accurate" || kind == "bounded but wrong"; }
-    bool unstable() const
-    {
-      return kind == "diverged" || kind == "growing energy" || kind == "out of time";
-    }
+    /// What ran out of time, was refused or not judged is neither stable nor unstable.
+    bool unstable() const { return kind == "diverged" || kind == "growing energy"; }
+    bool judged() const { return stable() || unstable(); }
   };
 
   /// "[0.1, 2]" -> "0.1", "2"; nothing of a value that is no list.

@@ -166,6 +166,14 @@ namespace verify
         }
     }
 
+    void add_reference(Trade &trade, const Case &c, const std::string &name)
+    {
+      if (run_named(trade.c, name))
+        return;
+      trade.c.runs.push_back(*run_named(c, name));
+      trade.references.push_back(name);
+    }
+
     void add_measures(Trade &trade, const Case &c, const Run &base)
     {
       for (Check check : c.checks)
@@ -178,19 +186,20 @@ namespace verify
           check.against = Against{};
           check.against.kind = Against::Kind::zero;
         }
+        if (!check.order_over.empty())
+          check.name = fmt::format("error behind \"{}\"", check.name);
         check.order_over.clear();
         check.low = 0.;
         check.high = std::numeric_limits<double>::infinity();
         check.uncertain_take.clear();
-        check.uncertain_against.clear();
         const bool of_itself = check.against.take.run == base.name;
         if (check.against.kind == Against::Kind::run && of_itself)
           check.against.take.run.clear(); // each row's own
-        else if (check.against.kind == Against::Kind::run &&
-                 !run_named(trade.c, check.against.take.run))
+        else if (check.against.kind == Against::Kind::run)
         {
-          trade.c.runs.push_back(*run_named(c, check.against.take.run));
-          trade.references.push_back(check.against.take.run);
+          add_reference(trade, c, check.against.take.run);
+          for (const auto &grid : check.uncertain_against)
+            add_reference(trade, c, grid);
         }
         check.name += ", " + check.norm;
         trade.measures.push_back(check);

@@ -69,7 +69,12 @@ namespace verify
         section.complain("", "the quantity has no `take`");
       check.norm = norms.empty() ? "relative" : norms.front();
       if (section.has("against"))
+      {
         check.against = read_against(section, check);
+        if (check.against.kind == Against::Kind::run && trade.references.size() >= 3 &&
+            check.against.take.run == trade.references.front())
+          check.uncertain_against = trade.references;
+      }
       else if (trade.references.empty())
         section.complain("", "the quantity has no `against`, and the file no [[reference]]");
       else

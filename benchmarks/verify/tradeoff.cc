@@ -74,6 +74,30 @@ namespace verify
       return costs;
     }
 
+    const Run *reference_of(const Trade &trade, const Check &check)
+    {
+      return check.against.kind == Against::Kind::run ? trade.c.find_run(check.against.take.run)
+                                                      : nullptr;
+    }
+
+    /// What the errors of a measure are distances from.
+    std::string against_what(const Trade &trade, const Check &check)
+    {
+      if (const Run *run = reference_of(trade, check))
+        return run->solver == "fe_reference" ? "finite elements" : "mpm_pf, finer";
+      return check.against.kind == Against::Kind::run   ? "itself"
+             : check.against.kind == Against::Kind::csv ? "a table"
+                                                        : "theory";
+    }
+
+    /// Finite elements held against finite elements of unknown error measure nothing.
+    bool against_its_like(const Trade &trade, const Check &check, const Run &run)
+    {
+      const Run *reference = reference_of(trade, check);
+      return reference && reference->solver == "fe_reference" && run.solver == "fe_reference" &&
+             check.uncertain_against.empty();
+    }
+
     /// Errors of one row in every measure; `uncertainty` gets the reference's own, once known.
     Json errors_of(const Trade &trade, const TradeRow &row, Records &records, Json &uncertainty,
                    Json &why)
@@ -81,6 +105,12 @@ namespace verify
       Json errors;
       for (Check check : trade.measures)
       {
+        if (against_its_like(trade, check, row.run))
+        {
+          errors[check.name] = nullptr;
+          why.push_back(check.name + ": finite elements against finite elements of unknown error");
+          continue;
+        }
         check.take.run = row.run.name;
         for (auto &inner : check.take.with)
           inner.run = row.run.name;
@@ -128,7 +158,12 @@ namespace verify
                   {"measures", Json::array()},
                   {"rows", Json::array()}};
       for (const auto &check : trade.measures)
+      {
         result["measures"].push_back(check.name);
+        result["reference"]["against"][check.name] = against_what(trade, check);
+        if (reference_of(trade, check)) // unknown, unless its grids tell
+          result["reference"]["uncertainty"][check.name] = nullptr;
+      }
       for (std::size_t i = 0; i < first; ++i)
         result["reference"]["runs"].push_back(run_to_json(trade.c.runs[i], jobs[i], outcomes[i]));
       for (std::size_t r = 0; r < trade.rows.size(); ++r)
@@ -155,6 +190,22 @@ namespace verify
         fmt::print("{:24} {:50} {:10} {:8.3f} s CPU{}\n", row["family"].get<std::string>(),
                    settings, row["status"].get<std::string>(), row["cpu_s"].get<double>(), errors);
       }
+    }
+
+    /// 1 if there is a measure in which no row has an error.
+    int usable(const Json &result)
+    {
+      int code = 0;
+      for (const std::string measure : result["measures"])
+      {
+        const auto &rows = result["rows"];
+        if (std::any_of(rows.begin(), rows.end(),
+                        [&](const Json &row) { return row["errors"][measure].is_number(); }))
+          continue;
+        fmt::print("no row has an error in `{}`\n", measure);
+        code = 1;
+      }
+      return code;
     }
   } // namespace
 
@@ -186,6 +237,6 @@ namespace verify
     for (std::size_t i = 0; i < trade.references.size(); ++i)
       if (!outcomes[i].good())
         return 4;
-    return 0;
+    return usable(result);
   }
 } // namespace verify

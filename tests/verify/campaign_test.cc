@@ -92,6 +92,18 @@ TEST(Campaign, NeverPassesMissingShortOrInfiniteData)
       1);
 }
 
+TEST(Campaign, TakesNoValueAtTheEndOfAHistoryThatStopsBeforeTheClock)
+{
+  const Workspace w;
+  const std::string end =
+      check("table = \"history\", of = \"force\", at = \"end\"", "\"zero\"", "absolute", "9");
+  EXPECT_EQ(only(w.run(two_runs + end)).status, Status::pass);
+  EXPECT_EQ(only(w.run(run_with("\"fake.short=0.995\"") + end)).status, Status::pass) << "one row";
+  const auto shorter = w.run(run_with("\"fake.short=0.7\"") + end);
+  EXPECT_EQ(only(shorter).status, Status::missing);
+  EXPECT_NE(only(shorter).why.find("the clock ends at 1"), std::string::npos) << only(shorter).why;
+}
+
 TEST(Campaign, ExitCodesTellBadInputDivergenceAndMissingReferencesApart)
 {
   const Workspace w;

@@ -9,6 +9,7 @@
 //   nan               1: the line probe holds an infinite value
 //   foretold          seconds that --plan foretells instead of what will be burnt
 //   growth            the energy grows by this factor per unit of time
+//   hole              exit code 2 if the growth is this
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -28,8 +29,9 @@ namespace
 
   Settings settings_of(const record::CommandLine &command)
   {
-    Settings settings{{"error", 0.}, {"order", 2.}, {"h", 1.},   {"exit", 0.},   {"sleep", 0.},
-                      {"burn", 0.},  {"short", 1.}, {"nan", 0.}, {"growth", 0.}, {"foretold", 0.}};
+    Settings settings{{"error", 0.},  {"order", 2.},    {"h", 1.},     {"exit", 0.},
+                      {"sleep", 0.},  {"burn", 0.},     {"short", 1.}, {"nan", 0.},
+                      {"growth", 0.}, {"foretold", 0.}, {"hole", -1.}};
     for (const auto &text : command.overrides)
       if (const auto equal = text.find('='); text.rfind("fake.", 0) == 0)
         settings[text.substr(5, equal - 5)] = std::stod(text.substr(equal + 1));
@@ -97,6 +99,8 @@ int main(int argc, char **argv)
   }
   std::this_thread::sleep_for(std::chrono::duration<double>(s.at("sleep")));
   burn(s.at("burn"));
+  if (s.at("growth") == s.at("hole"))
+    return 2;
   if (s.at("exit") != 0.)
   {
     std::printf("fake trouble of kind %g\n", s.at("exit"));
@@ -105,7 +109,7 @@ int main(int argc, char **argv)
   std::filesystem::create_directories(command.output);
   scene::Scene scene;
   scene.file = command.scene;
-  scene.text = "title = \"fake\"\n";
+  scene.text = "title = \"fake\"\n[clock]\nend = 1.0\n";
   record::Writer writer(command.record_path(), record::collect(name, command.joined, 1), scene,
                         command.force);
   write(writer, s);

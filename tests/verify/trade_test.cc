@@ -162,3 +162,107 @@ TEST(Stability, TellsTheClassesApartAndFindsTheEdge)
   // a theory knows the entries of a list
   EXPECT_NEAR(result["maps"][2]["edges"][0]["theory"].get<double>(), 4.605, 1e-3);
 }
+
+TEST(Stability, TakesRunsOutOfTimeAndRefusedOnesForNeitherStableNorUnstable)
+{
+  const Workspace w;
+  w.write("cases/bar/expect.toml", "title = \"bar\"\n[[run]]\nsolver = \"mpm_pf\"\n");
+  w.write("cases/bar/stability.toml", R"toml(
+[energy]
+table = "energy"
+of = "kinetic_energy"
+[[accurate]]
+take = {number = "largest"}
+against = {number = 1}
+norm = "absolute"
+limit = 0.1
+[[map]]
+name = "slow"
+x = {key = "fake.sleep", values = [0.0, 30.0]}
+time_limit_s = 0.3
+bisections = 2
+[[map]]
+name = "refused between"
+set = ["fake.hole=4"]
+x = {key = "fake.growth", values = [0.0, 8.0]}
+bisections = 4
+)toml");
+  CampaignOptions options = w.options();
+  options.cases = {"bar"};
+  ASSERT_EQ(stability(w.places(), options), 0);
+  const auto maps = nlohmann::json::parse(w.read("results/stability/bar.json"))["maps"];
+  EXPECT_EQ(maps[0]["cells"][1]["class"], "out of time");
+  EXPECT_TRUE(maps[0]["edges"].empty()) << maps[0]["edges"];
+  const auto &edge = maps[1]["edges"].at(0);
+  EXPECT_EQ(edge["stopped"], "refused");
+  EXPECT_EQ(edge["stable"], 0.);
+  EXPECT_EQ(edge["unstable"], 8.);
+}
+
+TEST(Stability, FailsWhereAMapSaysNothing)
+{
+  const Workspace w;
+  w.write("cases/bar/expect.toml", "title = \"bar\"\n[[run]]\nsolver = \"mpm_pf\"\n");
+  w.write("cases/bar/stability.toml", "[[map]]\nname = \"m\"\nset = [\"fake.exit=2\"]\n"
+                                      "x = {key = \"fake.h\", values = [1, 2]}\n");
+  CampaignOptions options = w.options();
+  options.cases = {"bar"};
+  EXPECT_EQ(stability(w.places(), options), 1);
+}
+
+TEST(Tradeoff, FailsWhereNoRowHasAnError)
+{
+  const Workspace w;
+  w.write("cases/bar/expect.toml", "title = \"bar\"\n[[run]]\nsolver = \"mpm_pf\"\n");
+  w.write("cases/bar/tradeoff.toml",
+          "[[quantity]]\nname = \"q\"\ntake = {number = \"no such\"}\nagainst = {number = 1}\n"
+          "norms = [\"relative\"]\n[[family]]\nname = \"f\"\nlists = {\"fake.h\" = [1]}\n");
+  EXPECT_EQ(tradeoff(w.places(), "bar", w.options()), 1);
+}
+
+TEST(Advice, CallsTheErrorOfALoneReferenceUnknown)
+{
+  const Workspace w;
+  w.write("cases/bar/expect.toml", "title = \"bar\"\n[[run]]\nsolver = \"mpm_pf\"\n");
+  w.write("cases/bar/tradeoff.toml",
+          "[[reference]]\nsolver = \"fe_reference\"\nh = 1\n"
+          "[[quantity]]\nname = \"q\"\ntake = {number = \"largest\"}\nnorms = [\"relative\"]\n"
+          "[[quantity]]\nname = \"theory\"\ntake = {number = \"largest\"}\nnorms = [\"relative\"]\n"
+          "against = {number = 1}\n[[family]]\nname = \"points\"\nset = [\"fake.error=0.01\"]\n"
+          "[[family]]\nname = \"elements\"\nsolver = \"fe_reference\"\n");
+  ASSERT_EQ(tradeoff(w.places(), "bar", w.options()), 0);
+  const auto result = nlohmann::json::parse(w.read("results/tradeoff/bar.json"));
+  const auto &reference = result["reference"];
+  EXPECT_TRUE(reference["uncertainty"].at("q, relative").is_null());
+  EXPECT_FALSE(reference["uncertainty"].contains("theory, relative"));
+  EXPECT_EQ(reference["against"]["q, relative"], "finite elements");
+  EXPECT_EQ(reference["against"]["theory, relative"], "theory");
+  // finite elements against finite elements would be 0: nothing was measured
+  EXPECT_TRUE(result["rows"][1]["errors"]["q, relative"].is_null());
+  EXPECT_EQ(result["rows"][1]["errors"]["theory, relative"], 0.);
+  testing::internal::CaptureStdout();
+  EXPECT_EQ(advise(w.places(), "bar", "q", "5%", w.options().output), 0);
+  const std::string advice = testing::internal::GetCapturedStdout();
+  EXPECT_NE(advice.find("uncertainty of the reference unknown"), std::string::npos) << advice;
+  EXPECT_NE(advice.find("nobody measured"), std::string::npos) << advice;
+}
+
+TEST(Advice, TellsWhenItWasMeasuredAndWarnsOfAnotherProgram)
+{
+  const Workspace w;
+  w.write("cases/bar/expect.toml", "title = \"bar\"\n[[run]]\nsolver = \"mpm_pf\"\n");
+  const std::string output = w.options().output;
+  auto old = measured().result;
+  const auto told = [&]
+  {
+    w.write("results/tradeoff/bar.json", old.dump());
+    testing::internal::CaptureStdout();
+    EXPECT_EQ(advise(w.places(), "bar", "largest", "4%", output), 0);
+    return testing::internal::GetCapturedStdout();
+  };
+  EXPECT_NE(told().find("measured " + old["provenance"]["start"].get<std::string>()),
+            std::string::npos);
+  EXPECT_EQ(told().find("warning"), std::string::npos);
+  old["provenance"]["commit"] = "0123456";
+  EXPECT_NE(told().find("warning: this program is of commit"), std::string::npos);
+}
