@@ -40,13 +40,22 @@ namespace solid
               {domain.cells[0] * per_cell[0], domain.cells[1] * per_cell[1]}};
     }
 
-    bool on_lattice(const scene::Body &body, const Lattice &lattice)
+    // What of a rectangle lies in the domain: its symmetry sides cut bodies.
+    scene::Rectangle cut(const scene::Rectangle &whole, const scene::Domain &domain)
     {
-      const auto *rectangle = std::get_if<scene::Rectangle>(&body.shape);
-      if (!rectangle)
+      const Point lower = whole.corner.cwiseMax(domain.lower);
+      const Point upper = (whole.corner + whole.size).cwiseMin(domain.upper());
+      return {lower, (upper - lower).cwiseMax(0.)};
+    }
+
+    bool on_lattice(const scene::Body &body, const Lattice &lattice, const scene::Domain &domain)
+    {
+      const auto *whole = std::get_if<scene::Rectangle>(&body.shape);
+      if (!whole)
         return false;
+      const scene::Rectangle rectangle = cut(*whole, domain);
       for (int k = 0; k < 2; ++k)
-        for (const double x : {rectangle->corner[k], rectangle->corner[k] + rectangle->size[k]})
+        for (const double x : {rectangle.corner[k], rectangle.corner[k] + rectangle.size[k]})
         {
           const double s = (x - lattice.lower[k]) / lattice.spacing[k];
           if (std::abs(s - std::round(s)) > 1e-6)
@@ -169,18 +178,13 @@ namespace solid
     }
 
     void tile(Points &points, const Fraction &fraction, const Lattice &lattice,
-              const std::vector<scene::Body> &earlier, const scene::Domain &domain,
-              const double density)
+              const std::vector<scene::Body> &earlier, const double density)
     {
       for (int j = 0; j < lattice.count[1]; ++j)
         for (int i = 0; i < lattice.count[0]; ++i)
-        {
-          const Point x = lattice.centre(i, j);
-          const bool in_domain = (x.array() > domain.lower.array()).all() &&
-                                 (x.array() < domain.upper().array()).all();
-          if (in_domain && (earlier.empty() || scene::signed_distance(earlier, x) < 0.))
+          if (const Point x = lattice.centre(i, j);
+              earlier.empty() || scene::signed_distance(earlier, x) < 0.)
             add_point(points, fraction, x, density * lattice.area());
-        }
     }
 
     void check_inside(const scene::Domain &domain, const scene::Body &body)
@@ -245,7 +249,8 @@ namespace solid
     const Lattice lattice = lattice_of(scene.domain, per_cell);
     bool aligned = true;
     for (const scene::Body &body : scene.bodies)
-      check_inside(scene.domain, body), aligned = aligned && on_lattice(body, lattice);
+      check_inside(scene.domain, body),
+          aligned = aligned && on_lattice(body, lattice, scene.domain);
     const bool single =
         scene.bodies.size() == 1 && std::holds_alternative<scene::Rectangle>(scene.bodies[0].shape);
     if (aligned || single)
@@ -253,8 +258,9 @@ namespace solid
       std::vector<scene::Body> earlier;
       for (const scene::Body &body : scene.bodies)
       {
-        tile(points, fraction, tiling(std::get<scene::Rectangle>(body.shape), lattice), earlier,
-             scene.domain, material.density);
+        const scene::Rectangle seen = cut(std::get<scene::Rectangle>(body.shape), scene.domain);
+        if (seen.size.minCoeff() > 0.)
+          tile(points, fraction, tiling(seen, lattice), earlier, material.density);
         earlier.push_back(body);
       }
     }

@@ -112,3 +112,19 @@ TEST(Seeding, LeavesTheWeightOfABlockWhereItIs)
     EXPECT_LE(worst, 0.01 * h) << "bottom at " << bottom;
   }
 }
+
+// Half of a bar whose symmetry line no lattice of points follows from its other end.
+TEST(Seeding, OfARectangleThatASymmetrySideCuts)
+{
+  scene::Scene scene = small::rectangle({-0.47, -1.}, {0.94, 2.}, {1., 2.}, {10, 20});
+  scene.domain.boundary[static_cast<int>(scene::Edge::left)] = scene::Boundary::symmetry;
+  scene.domain.boundary[static_cast<int>(scene::Edge::bottom)] = scene::Boundary::symmetry;
+  for (const int per_cell : {2, 3})
+  {
+    scene.mpm->points_per_cell = {per_cell, per_cell};
+    const Point zeroth = integral(scene, "1", "1"), first = integral(scene, "x", "y");
+    EXPECT_NEAR(zeroth[0], 0.47, 1e-9);
+    EXPECT_NEAR(first[0] / zeroth[0], 0.235, 1e-9);
+    EXPECT_NEAR(first[1] / zeroth[0], 0.5, 1e-9);
+  }
+}
