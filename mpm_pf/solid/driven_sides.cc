@@ -22,9 +22,9 @@ namespace solid
   {
     // Cells from the side from which on a node is free; half-way, as fold_at does.
     constexpr double beside = 0.5 + 1e-9;
-    // Where no side is open, another body that comes close sticks to nodes of which at least this
-    // share is driven: those within 0.6 cells.
-    constexpr double driven_share = 0.11;
+    // Beyond sides that are not open, another body that comes close sticks to nodes of which at
+    // least this share is driven: those within 0.6 cells.
+    constexpr double driven_share = 0.11, closed_reach = 0.6;
 
     struct Side
     {
@@ -60,6 +60,21 @@ namespace solid
       return side;
     }
 
+    // Is what is at a node no more than closed_reach beyond the sides that are not open?
+    bool between_closed_sides(const DrivenRegion &region, const Cover &cover, const double dx)
+    {
+      const Point X = cover.origin / cover.weight;
+      for (int axis = 0; axis < 2; ++axis)
+        for (const int upper : {0, 1})
+        {
+          const double out =
+              upper ? X[axis] - region.box.upper[axis] : region.box.lower[axis] - X[axis];
+          if (!region.open[axis][upper] && out > closed_reach * dx)
+            return false;
+        }
+      return true;
+    }
+
     // What the region that a node lies deepest in, or nearest to, makes of it.
     struct Held
     {
@@ -74,16 +89,21 @@ namespace solid
     Held held_at(const Supports &supports, const Grid &grid, const std::ptrdiff_t n, const int c)
     {
       Held held;
+      const DrivenPart &part = supports.driven_parts[n][c];
+      const bool shared = part.mass >= driven_share * grid.mass[n];
       for (const DrivenRegion &region : supports.driven)
         if (const Cover &cover = region.covers[n];
             cover.weight > 0. && supports.all[region.support].motion.holds(c))
-          if (const Side side = side_of(region, cover, grid.dx);
-              !held.region || side.distance < held.side.distance)
+        {
+          const Side side = side_of(region, cover, grid.dx);
+          if (!shared && side.distance < beside &&
+              (!std::isfinite(side.distance) || !between_closed_sides(region, cover, grid.dx)))
+            continue;
+          if (!held.region || side.distance < held.side.distance)
             held.region = &region, held.side = side,
             held.prescribed = cover.velocity[c] / cover.weight;
-      const DrivenPart &part = supports.driven_parts[n][c];
-      if (!held.region || !(grid.mass[n] > 0.) ||
-          (!std::isfinite(held.side.distance) && part.mass < driven_share * grid.mass[n]))
+        }
+      if (!held.region || !(grid.mass[n] > 0.))
         return {};
       constexpr double rounding = 1e-9;
       if (const double mass = grid.mass[n] - part.mass; mass > rounding * grid.mass[n])

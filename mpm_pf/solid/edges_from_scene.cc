@@ -70,7 +70,10 @@ namespace solid
         beyond[line.axis] = line.initial + line.side * 0.01 * build.dx;
         beyond[along] = place + outwards * 0.6 * build.dx;
         if (!build.material(beyond))
+        {
+          line.reach[end] = reach_beyond(build, line, end);
           continue;
+        }
         line.reach[end] = 0.5;
         if (const auto *segment = std::get_if<scene::Segment>(&asked.where))
         {
@@ -82,6 +85,29 @@ namespace solid
       }
     }
   } // namespace
+
+  double reach_beyond(const SupportBuilder &build, const HeldLine &line, const int end)
+  {
+    constexpr double farthest = 3., stride = 0.05; // cells
+    const int along = 1 - line.axis, outwards = end == 0 ? -1 : 1;
+    double nearest = 2. * farthest;
+    // Within a cell of the line on both sides; farther ones hardly see its nodes.
+    for (const double depth : {-0.99, -0.5, -0.01, 0.01, 0.5, 0.99})
+    {
+      bool parted = false;
+      for (double gap = stride; gap < nearest; gap += stride)
+      {
+        Point x;
+        x[line.axis] = line.initial + line.side * depth * build.dx;
+        x[along] = (end == 0 ? line.from : line.to) + outwards * gap * build.dx;
+        if (!build.material(x))
+          parted = true;
+        else if (parted)
+          nearest = gap;
+      }
+    }
+    return std::max(0.5, 0.5 * nearest - stride);
+  }
 
   void hold_edge(SupportBuilder &build, const scene::Support &asked, const int index)
   {

@@ -33,6 +33,10 @@ namespace solid
     double small() const { return 1e-6 * dx; }
   };
 
+  /// Cells beyond one end of a line in which nodes are held: up to half-way to the first material
+  /// there that a gap parts from what the line holds.
+  double reach_beyond(const SupportBuilder &, const HeldLine &, int end);
+
   /// Hold what the support says of the outline, or a box of material; `index`: of the support.
   void hold_edge(SupportBuilder &, const scene::Support &, int index);
   void hold_box(SupportBuilder &, const scene::Support &, int index);

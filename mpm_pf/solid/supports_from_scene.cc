@@ -43,6 +43,7 @@ namespace solid
           line.support = index, line.axis = axis, line.side = side;
           line.initial = (side > 0 ? box.upper : box.lower)[axis];
           line.from = from, line.to = to;
+          line.reach = {reach_beyond(build, line, 0), reach_beyond(build, line, 1)};
           build.supports.lines.push_back(line);
         }
     }

@@ -86,6 +86,42 @@ TEST(Grip, TakesItsOwnWeightInertiaAndLoads)
   }
 }
 
+// Two feet, a slit of two cells between them; the left one is held by its sole, by a grip and by a
+// driven box, and a pull at the right side bends the other one away. fe_reference: 0.262 with the
+// sole held, at rest. Nodes held up to three cells beyond the foot keep the other one from moving.
+TEST(Support, LeavesAloneWhatAGapPartsFromIt)
+{
+  const scene::Box box{{0.4, 0.2}, {1.41, 0.5}};
+  const std::vector<std::pair<scene::Where, const char *>> ways{
+      {scene::Segment{{0.5, 0.3}, {1.4, 0.3}}, "0"}, {box, "0"}, {box, "0*X"}};
+  for (const auto &[where, x] : ways)
+  {
+    scene::Scene scene = small::rectangle({0., 0.}, {1., 1.}, {3., 2.}, {30, 20});
+    scene.bodies[0].shape = scene::Polygon{{{{0.5, 0.3},
+                                             {1.4, 0.3},
+                                             {1.4, 1.2},
+                                             {1.6, 1.2},
+                                             {1.6, 0.3},
+                                             {2.4, 0.3},
+                                             {2.4, 1.5},
+                                             {0.5, 1.5}}}};
+    small::hold(scene, "left foot", where, x, "0");
+    scene::Traction pull;
+    pull.name = "pull", pull.where = scene::Edge::right;
+    pull.traction = {small::text("4*smooth(t, 5)"), small::text("0")};
+    scene.tractions.push_back(pull);
+    const solid::Owner feet = solid::make_solid(scene);
+    double moved = 0.; // at two ends of what still rings
+    for (const double dt : {5.2, 0.85})
+    {
+      solid::advance(*feet, dt);
+      moved += 0.5 * solid::sample_point(*feet, {{1.95, 0.32}, scene::Frame::material},
+                                         {"displacement_x"})[0];
+    }
+    EXPECT_NEAR(moved, 0.262, 0.03) << x << " " << where.index();
+  }
+}
+
 namespace
 {
   // The bar [0, 5.5] x [0, 1] on a mesh that lies `shift` cells off, so that sides cut cells.
