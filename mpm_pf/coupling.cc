@@ -99,8 +99,10 @@ namespace
   void sweep(World &w, const double dt)
   {
     const long steps = std::max(1L, std::lround(std::ceil(dt / growth_step(w) * (1. - 1e-9))));
-    w.growth->advance({w.phase ? &w.phase->value : nullptr, w.heat ? &w.heat->value : nullptr,
-                       w.orientation.get(), w.noise.get(), w.walls ? &w.walls->cuts : nullptr},
+    // Without [growth] phi is a marker that is only carried, and the sweep is of heat alone.
+    w.growth->advance({w.scene->growth ? &w.phase->value : nullptr,
+                       w.heat ? &w.heat->value : nullptr, w.orientation.get(), w.noise.get(),
+                       w.walls ? &w.walls->cuts : nullptr},
                       dt / static_cast<double>(steps), steps);
   }
 } // namespace
@@ -115,7 +117,7 @@ void move_walls(World &w, const double dt)
   const Stopwatch watch(w, "walls");
   if (w.phase)
     medium::watch(*w.walls, w.phase->value, *w.mesh, w.time,
-                  w.solid && !w.growth ? medium::Contact::push : medium::Contact::front);
+                  w.solid && !w.scene->growth ? medium::Contact::push : medium::Contact::front);
   else
     medium::watch(*w.walls, w.time);
   medium::move(*w.walls, w.time, dt, *w.mesh); // Sec. 3, cut cells [28,29]
@@ -127,7 +129,7 @@ void impose(World &w, const double dt)
   w.imposed->write(w.time + dt / 2, *w.mesh, *w.velocity);
   if (w.walls)
     medium::fill_behind(*w.velocity, *w.walls, *w.mesh);
-  w.melt_moves = w.imposed->crossing_rate() > 0.;
+  w.melt_moves = w.imposed->moves();
 }
 
 void wake_solid(World &w)

@@ -141,12 +141,12 @@ namespace
       if (wall.speed <= 0.)
         continue;
       const double room = arms.room[static_cast<std::size_t>(wall.side)];
-      const double start = wall.start_time ? *wall.start_time
-                           : arms.speed > 0.
-                               ? std::max(0., (room - wall.start_distance - arms.seed) / arms.speed)
-                               : load.end;
+      const double start =
+          wall.start_time   ? *wall.start_time
+          : arms.speed > 0. ? std::max(0., (room - *wall.start_distance - arms.seed) / arms.speed)
+                            : load.end;
       const double gap = wall.start_time ? std::max(0., room - arms.seed - arms.speed * start)
-                                         : wall.start_distance;
+                                         : *wall.start_distance;
       const double meet =
           start + 0.5 * wall.ramp + time_to_meet(world, arms.speed, wall.speed, gap);
       load.pressed_from = std::min(load.pressed_from, meet);

@@ -71,12 +71,30 @@ double seconds_per_growth_step(World &world)
   return each + std::max(0., short_call - few * each) / steps;
 }
 
+namespace
+{
+  /// Coupling steps until `end` of a motion that may be faster at one time than at another.
+  double imposed_steps(World &world, const double end)
+  {
+    constexpr int samples = 16;
+    const double now = world.time;
+    double steps = 0.;
+    for (int k = 0; k < samples; ++k)
+    {
+      world.time = (k + 0.5) / samples * end;
+      steps += end / samples / coupling_step(world);
+    }
+    world.time = now;
+    return steps;
+  }
+} // namespace
+
 void foretell_advection(World &world, const double end, Forecast &forecast)
 {
-  const double step = coupling_step(world);
-  if (!world.imposed || world.imposed->crossing_rate() <= 0.)
+  if (!world.imposed || !world.imposed->ever_moves())
     return;
-  const double steps = std::max(1., end / step);
+  const double step = coupling_step(world);
+  const double steps = std::max(1., imposed_steps(world, end));
   forecast.counts["coupling steps"] = steps;
   const double write = seconds_of(
       [&]

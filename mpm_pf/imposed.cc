@@ -1,6 +1,11 @@
 #include "imposed.h"
 
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
 #include "medium/advection.h"
+#include "medium/trouble.h"
 
 namespace
 {
@@ -15,6 +20,18 @@ namespace
         const scene::Point x = mesh.position(i, j);
         field(i, j) = function.depends_on_position() ? function({x, x, time}) : uniform;
       }
+  }
+
+  /// A velocity without bound near a node would let the run stand still.
+  void refuse_singular(const double step, const double end)
+  {
+    constexpr double least_part = 1e-8;
+    if (step >= least_part * end)
+      return;
+    std::ostringstream text;
+    text << "the imposed motion crosses a cell so fast that a step is " << step << " of the run's "
+         << end << ": imposed.velocity is singular at a node; keep it bounded there";
+    throw medium::NumericalTrouble(text.str());
   }
 } // namespace
 
@@ -32,4 +49,41 @@ void Imposed::write(const double time, const medium::Mesh &mesh, medium::Velocit
   write_component(component[1], time, mesh, velocity.y);
   rate = medium::crossing_rate(velocity, mesh);
   written = true;
+}
+
+double Imposed::crossing_rate(const double time, const medium::Mesh &mesh) const
+{
+  constexpr int stride = 4;
+  double fastest = 0.;
+  for (std::size_t axis = 0; axis < 2; ++axis)
+  {
+    const bool uniform = !component[axis].depends_on_position();
+    for (int j = 0; j < mesh.nodes[1]; j += uniform ? mesh.nodes[1] : stride)
+      for (int i = 0; i < mesh.nodes[0]; i += uniform ? mesh.nodes[0] : stride)
+      {
+        const scene::Point x = mesh.position(i, j);
+        fastest = std::max(fastest, std::abs(component[axis]({x, x, time})) /
+                                        mesh.spacing[static_cast<int>(axis)]);
+      }
+  }
+  return fastest;
+}
+
+double Imposed::step(const double time, const double longest, const double end,
+                     const double fraction, const medium::Mesh &mesh) const
+{
+  constexpr double least_steps = 200.; // an unsteady motion is resolved by this many at least
+  double length = std::min(longest, steady ? end : end / least_steps);
+  for (;;)
+  {
+    double fastest = steady ? rate : 0.;
+    for (int quarter = 0; quarter <= 4 && !steady; ++quarter)
+      fastest = std::max(fastest, crossing_rate(time + 0.25 * quarter * length, mesh));
+    if (fastest * length <= fraction)
+      return length;
+    refuse_singular(fraction / fastest, end);
+    if (steady)
+      return fraction / fastest;
+    length = std::max(0.999 * fraction / fastest, 0.5 * length);
+  }
 }

@@ -18,12 +18,23 @@ public:
   /// Velocity at `time` on all nodes and ghosts, length per time.
   void write(double time, const medium::Mesh &, medium::Velocity &);
 
-  /// Largest number of cells crossed per unit time along an axis, of what was written last.
-  double crossing_rate() const { return rate; }
+  /// Does what was written last move anything?
+  bool moves() const { return rate > 0.; }
+  /// May anything move at some time?
+  bool ever_moves() const { return !steady || rate > 0.; }
+
+  /// The longest step from `time` on, at most `longest`, in which the motion crosses no more than
+  /// `fraction` of a cell along an axis, in a run that lasts until `end`. A function of its
+  /// arguments alone, so that a run that was interrupted goes on with the same steps. Of an
+  /// unsteady motion the fastest moment of the step counts (five are looked at, on every fourth
+  /// node). Throws medium::NumericalTrouble if the run would stand still.
+  double step(double time, double longest, double end, double fraction, const medium::Mesh &) const;
 
 private:
+  double crossing_rate(double time, const medium::Mesh &) const;
+
   std::array<scene::Function, 2> component;
   bool steady;
   bool written = false;
-  double rate = 0.;
+  double rate = 0.; // of what was written last: cells crossed per unit time along an axis
 };

@@ -174,7 +174,7 @@ void observe(const scene::HistoryProbe &, const scene::Probe &probe, const World
     add_walls(row, world);
   if (world.solid)
     add(row, solid::history(*world.solid), world);
-  if (world.solid && world.growth)
+  if (world.solid && world.scene->growth)
     add(row, solid::growth_history(*world.solid), world);
   writer.table(probe.name, {row.names, row.units}, world.time, row.values);
 }

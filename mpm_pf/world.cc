@@ -77,12 +77,14 @@ namespace
     melt::Law law;
     if (scene.growth)
     {
-      options = {scene.growth->laplacian, scene.growth->precision, scene.growth->tiles, force};
+      options = {scene.growth->laplacian, scene.growth->precision, scene.growth->tiles, true,
+                 force};
       law = melt::make_law(*scene.phase_field, *scene.growth, scene.heat ? &*scene.heat : nullptr);
     }
     else
     {
       options.laplacian = scene::Laplacian::five_point;
+      options.phase = false;
       options.force = force;
       law.diffusivity = scene.heat->diffusivity;
     }
@@ -179,6 +181,32 @@ double growth_step(const World &world)
   return (growth ? growth->step_fraction : 0.8) * world.growth->step_limit();
 }
 
+namespace
+{
+  /// Longest step over which the solid's motion may be taken as a whole: the melt's fields are
+  /// carried by its mean, `fraction` of a cell at most.
+  double motion_limit(const World &world, const double fraction)
+  {
+    const double reference = solid::numbers(*world.solid).at("reference_speed");
+    const double present = solid::largest_speed(*world.solid);
+    const double room = fraction * world.scene->domain.spacing()[0];
+    // Points swing about the speed at which they are driven, and are squeezed out ahead of it; what
+    // is faster than that moves by itself.
+    constexpr double swing = 3.;
+    // A solid that nothing drives may be as fast as a wave lets it within some cells of its way:
+    // 64 steps, at most 1 % of the speed of sound each half a cell long.
+    constexpr double steps_from_rest = 64.;
+    double limit = std::numeric_limits<double>::infinity();
+    if (present > swing * reference)
+      limit = room / present;
+    else if (reference > 0.)
+      limit = room / reference;
+    if (!world.scene->growth && (reference <= 0. || present > swing * reference))
+      limit = std::min(limit, steps_from_rest * solid::stable_step(*world.solid));
+    return limit;
+  }
+} // namespace
+
 double coupling_step(const World &world)
 {
   const scene::Scene &scene = *world.scene;
@@ -196,12 +224,11 @@ double coupling_step(const World &world)
     step = std::min(
         step, (world.walls || world.solid ? substeps_between_couplings : substeps_between_looks) *
                   growth_step(world));
-  if (world.imposed && world.imposed->crossing_rate() > 0.)
-    step = std::min(step, fraction / world.imposed->crossing_rate());
+  if (world.imposed)
+    step = world.imposed->step(world.time, step, scene.clock.end, fraction, *world.mesh);
   if (world.walls)
     step = std::min(step, medium::step_limit(*world.walls, *world.mesh, fraction));
-  if (world.extension && solid::numbers(*world.solid).at("reference_speed") > 0.)
-    step = std::min(step, fraction * scene.domain.spacing()[0] /
-                              solid::numbers(*world.solid).at("reference_speed"));
+  if (world.extension)
+    step = std::min(step, motion_limit(world, fraction));
   return step;
 }

@@ -29,10 +29,28 @@ namespace medium
 
     void fill_gradient_ghosts(Gradients &g, const Mesh &mesh)
     {
-      fill_ghosts(g.x, mesh, Parity::odd_in_x);
-      fill_ghosts(g.y, mesh, Parity::odd_in_y);
+      fill_ghosts(g.x, mesh, Parity::odd_in_x, g.image);
+      fill_ghosts(g.y, mesh, Parity::odd_in_y, g.image);
       if (!g.xy.empty())
-        fill_ghosts(g.xy, mesh, Parity::odd_in_both);
+        fill_ghosts(g.xy, mesh, Parity::odd_in_both, g.image);
+    }
+
+    /// Of a field that is its own mirror image one derivative vanishes on the mirror, which upwind
+    /// cells to one side of it do not see.
+    void vanish_on_symmetry_sides(Gradients &g, const Mesh &mesh)
+    {
+      const bool scalar = g.image == Image::scalar;
+      Field<double> &odd_across_x = scalar ? g.x : g.y, &odd_across_y = scalar ? g.y : g.x;
+      const int last_x = mesh.nodes[0] - 1, last_y = mesh.nodes[1] - 1;
+      for (const bool high : {false, true})
+      {
+        if (mesh.side(high ? Edge::right : Edge::left) == Boundary::symmetry)
+          for (int j = 0; j <= last_y; ++j)
+            odd_across_x(high ? last_x : 0, j) = 0.;
+        if (mesh.side(high ? Edge::top : Edge::bottom) == Boundary::symmetry)
+          for (int i = 0; i <= last_x; ++i)
+            odd_across_y(i, high ? last_y : 0) = 0.;
+      }
     }
 
     void keep_fixed_sides(Field<double> &next, const Field<double> &last, const Mesh &mesh)
@@ -91,7 +109,7 @@ namespace medium
     gradients.x = std::move(x);
     gradients.y = std::move(y);
     gradients.last = f;
-    fill_ghosts(gradients.last, mesh);
+    fill_ghosts(gradients.last, mesh, Parity::even, gradients.image);
     fill_gradient_ghosts(gradients, mesh);
     if (chosen == AdvectionScheme::cip)
       return;
@@ -124,7 +142,7 @@ namespace medium
                              double dt)
   {
     const bool hermite = chosen == AdvectionScheme::cip_hermite;
-    fill_ghosts(f, mesh);
+    fill_ghosts(f, mesh, Parity::even, gradients.image);
     if (gradients.x.empty()) // gradients and all: the first differences are those from zero
     {
       gradients.x = gradients.y = gradients.last = Field<double>(mesh);
@@ -150,7 +168,8 @@ namespace medium
     gradients.x.swap(new_x);
     gradients.y.swap(new_y);
     gradients.xy.swap(new_xy);
-    fill_ghosts(f, mesh);
+    vanish_on_symmetry_sides(gradients, mesh);
+    fill_ghosts(f, mesh, Parity::even, gradients.image);
     fill_gradient_ghosts(gradients, mesh);
     copy_rows(f, gradients.last);
   }
@@ -163,17 +182,17 @@ namespace medium
     if (carries_gradients())
       return advect_cip(f, gradients, velocity, dt);
     check_shift(dt * crossing_rate(velocity, mesh), dt);
-    fill_ghosts(f, mesh);
+    fill_ghosts(f, mesh, Parity::even, gradients.image);
     const Field<double> before = f;
     if (chosen == AdvectionScheme::weno5)
     {
       if (new_x.empty())
         new_x = Field<double>(mesh);
-      weno5(f, new_f, new_x, velocity, dt, mesh);
+      weno5(f, new_f, new_x, velocity, dt, mesh, gradients.image);
     }
     else
       upwind(f, new_f, velocity, dt, mesh);
     keep_fixed_sides(f, before, mesh);
-    fill_ghosts(f, mesh);
+    fill_ghosts(f, mesh, Parity::even, gradients.image);
   }
 } // namespace medium

@@ -24,6 +24,7 @@ namespace medium
   {
     Field<double> x, y, xy;
     Field<double> last;
+    Image image = Image::scalar; // of the field beyond symmetry sides
     std::size_t bytes() const { return x.bytes() + y.bytes() + xy.bytes() + last.bytes(); }
   };
 

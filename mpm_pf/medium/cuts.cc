@@ -87,7 +87,7 @@ namespace medium
   }
 
   template <class T>
-  void fill_behind(Field<T> &field, const Cuts &cuts, const Mesh &mesh, Parity parity)
+  void fill_behind(Field<T> &field, const Cuts &cuts, const Mesh &mesh, Parity parity, Image image)
   {
     const bool odd[2] = {parity == Parity::odd_in_x || parity == Parity::odd_in_both,
                          parity == Parity::odd_in_y || parity == Parity::odd_in_both};
@@ -97,11 +97,11 @@ namespace medium
           fill_lines<T>(*cut, high ? 1 : -1, mesh.nodes[axis], mesh.nodes[1 - axis], odd[axis],
                         [&](int line, int n) -> T &
                         { return axis == 0 ? field(line, n) : field(n, line); });
-    fill_ghosts(field, mesh, parity);
+    fill_ghosts(field, mesh, parity, image);
   }
 
-  template void fill_behind(Field<double> &, const Cuts &, const Mesh &, Parity);
-  template void fill_behind(Field<float> &, const Cuts &, const Mesh &, Parity);
+  template void fill_behind(Field<double> &, const Cuts &, const Mesh &, Parity, Image);
+  template void fill_behind(Field<float> &, const Cuts &, const Mesh &, Parity, Image);
 
   template <class T>
   void fill_next_row(Field<T> &field, const Cut &cut, Edge edge, int nx)

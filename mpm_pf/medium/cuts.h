@@ -58,11 +58,12 @@ namespace medium
   Box active_box(const Cuts &, const Mesh &);
 
   /// Fills the three lines behind every cut with the continuation through the wall's true place,
-  /// those further back with a constant one, and then the ghost layers. `parity` as for
+  /// those further back with a constant one, and then the ghost layers. `parity` and `image` as for
   /// fill_ghosts: even for scalars; odd for the derivative along that axis, which vanishes at the
   /// wall.
   template <class T>
-  void fill_behind(Field<T> &, const Cuts &, const Mesh &, Parity parity = Parity::even);
+  void fill_behind(Field<T> &, const Cuts &, const Mesh &, Parity parity = Parity::even,
+                   Image image = Image::scalar);
 
   /// Only the next row behind the cut at the bottom or top, ghost columns -1 and nx included: what
   /// a sweep of 3 x 3 stencils reads.

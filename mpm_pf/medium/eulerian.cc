@@ -43,7 +43,7 @@ namespace medium
       double old, now;
     };
     void weno_stage(const Field<double> &f, const Field<double> &g, Field<double> &next,
-                    const Velocity &velocity, double dt, Stage stage, const Mesh &mesh)
+                    const Velocity &velocity, double dt, Stage stage, const Mesh &mesh, Image image)
     {
       const double x = dt / mesh.spacing[0], y = dt / mesh.spacing[1];
 #pragma omp parallel for schedule(static)
@@ -61,16 +61,16 @@ namespace medium
           target[i] = stage.old * old[i] + stage.now * (c[i] - x * u[i] * gx - y * v[i] * gy);
         }
       }
-      fill_ghosts(next, mesh);
+      fill_ghosts(next, mesh, Parity::even, image);
     }
   } // namespace
 
   void weno5(Field<double> &f, Field<double> &first, Field<double> &second,
-             const Velocity &velocity, double dt, const Mesh &mesh)
+             const Velocity &velocity, double dt, const Mesh &mesh, Image image)
   {
-    weno_stage(f, f, first, velocity, dt, {0., 1.}, mesh);
-    weno_stage(f, first, second, velocity, dt, {3. / 4., 1. / 4.}, mesh);
-    weno_stage(f, second, first, velocity, dt, {1. / 3., 2. / 3.}, mesh);
+    weno_stage(f, f, first, velocity, dt, {0., 1.}, mesh, image);
+    weno_stage(f, first, second, velocity, dt, {3. / 4., 1. / 4.}, mesh, image);
+    weno_stage(f, second, first, velocity, dt, {1. / 3., 2. / 3.}, mesh, image);
     f.swap(first);
   }
 

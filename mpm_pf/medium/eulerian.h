@@ -15,7 +15,7 @@ namespace medium
   /// One step of dt at all nodes. `f` is read with ghosts and replaced; `first`, `second` are
   /// scratch of the same shape. Stable up to |u| dt/dx + |v| dt/dy = 1.
   void weno5(Field<double> &f, Field<double> &first, Field<double> &second, const Velocity &,
-             double dt, const Mesh &);
+             double dt, const Mesh &, Image = Image::scalar);
 
   /// One step of dt; `next` is scratch. Stable up to |u| dt/dx + |v| dt/dy = 1.
   void upwind(Field<double> &f, Field<double> &next, const Velocity &, double dt, const Mesh &);

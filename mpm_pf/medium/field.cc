@@ -30,7 +30,7 @@ namespace medium
   {
     /// Value beyond a border: from the value at its source and, for a fixed side, at the border.
     template <class T>
-    T continued(T source, T border, Boundary boundary, bool odd)
+    T continued(T source, T border, Boundary boundary, bool odd, Image image)
     {
       switch (boundary)
       {
@@ -38,35 +38,38 @@ namespace medium
         return source;
       case Boundary::fixed:
         return 2 * border - source;
-      case Boundary::no_flux:
       case Boundary::symmetry:
+        if (image == Image::angle)
+          return odd ? source : 2 * border - source;
+        break;
+      case Boundary::no_flux:
         break;
       }
       return odd ? -source : source;
     }
 
     template <class T>
-    void fill_row_ends(T *row, int count, const Mesh &mesh, bool odd)
+    void fill_row_ends(T *row, int count, const Mesh &mesh, bool odd, Image image)
     {
       const Boundary left = mesh.side(Edge::left), right = mesh.side(Edge::right);
       for (int layer = 1; layer <= ghost_layers; ++layer)
       {
         const int low = -layer, high = count - 1 + layer;
-        row[low] = continued(row[source_index(low, count, left, right)], row[0], left, odd);
-        row[high] =
-            continued(row[source_index(high, count, left, right)], row[count - 1], right, odd);
+        row[low] = continued(row[source_index(low, count, left, right)], row[0], left, odd, image);
+        row[high] = continued(row[source_index(high, count, left, right)], row[count - 1], right,
+                              odd, image);
       }
     }
   } // namespace
 
   template <class T>
-  void fill_ghosts(Field<T> &field, const Mesh &mesh, Parity parity)
+  void fill_ghosts(Field<T> &field, const Mesh &mesh, Parity parity, Image image)
   {
     const int nx = mesh.nodes[0], ny = mesh.nodes[1];
     const bool odd_x = parity == Parity::odd_in_x || parity == Parity::odd_in_both;
     const bool odd_y = parity == Parity::odd_in_y || parity == Parity::odd_in_both;
     for (int j = 0; j < ny; ++j)
-      fill_row_ends(field.row(j), nx, mesh, odd_x);
+      fill_row_ends(field.row(j), nx, mesh, odd_x, image);
     const Boundary bottom = mesh.side(Edge::bottom), top = mesh.side(Edge::top);
     for (int layer = 1; layer <= ghost_layers; ++layer)
       for (const bool low : {true, false})
@@ -77,10 +80,10 @@ namespace medium
         const T *border = field.row(low ? 0 : ny - 1);
         T *ghost = field.row(j);
         for (int i = -ghost_layers; i < nx + ghost_layers; ++i)
-          ghost[i] = continued(source[i], border[i], boundary, odd_y);
+          ghost[i] = continued(source[i], border[i], boundary, odd_y, image);
       }
   }
 
-  template void fill_ghosts(Field<double> &, const Mesh &, Parity);
-  template void fill_ghosts(Field<float> &, const Mesh &, Parity);
+  template void fill_ghosts(Field<double> &, const Mesh &, Parity, Image);
+  template void fill_ghosts(Field<float> &, const Mesh &, Parity, Image);
 } // namespace medium

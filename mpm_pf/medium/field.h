@@ -115,10 +115,21 @@ namespace medium
     odd_in_both
   };
 
+  /// What the mirror image of a body carries beyond a symmetry side: the same scalar, or the angle
+  /// to the mirror with changed sign. (At a side without flux both continue evenly.)
+  enum class Image
+  {
+    scalar,
+    angle
+  };
+
   /// Fills the ghost layers of `field`: mirror (no flux, symmetry), wrap (periodic) or, beyond a
-  /// fixed side, the point reflection 2 f(border) - f(mirror), which keeps the slope.
+  /// fixed side, the point reflection 2 f(border) - f(mirror), which keeps the slope; so, too, for
+  /// an angle (parity even) beyond a symmetry side. `parity` tells what derivative of a scalar or
+  /// an angle the field is.
   template <class T>
-  void fill_ghosts(Field<T> &field, const Mesh &mesh, Parity parity = Parity::even);
+  void fill_ghosts(Field<T> &field, const Mesh &mesh, Parity parity = Parity::even,
+                   Image image = Image::scalar);
 
   /// Sum over all nodes of weight(i, j) times the field: the integral divided by the cell area.
 } // namespace medium

@@ -35,9 +35,10 @@ namespace medium
     {
       const scene::Wall &asked = wall.asked;
       double free = 0.;
-      if (wall.touched && asked.contact_ramp)
+      if (wall.touched && asked.contact_ramp && (wall.started || !asked.start_time))
         free = wall.travel_at_touch +
-               free_travel(asked.speed, *asked.contact_ramp, time - *wall.touched);
+               free_travel(asked.speed, *asked.contact_ramp,
+                           time - std::max(*wall.touched, wall.started.value_or(*wall.touched)));
       else if (wall.started)
         free = free_travel(asked.speed, asked.ramp, time - *wall.started);
       return std::min(free, asked.travel);
@@ -91,7 +92,7 @@ namespace medium
       check(one, made, mesh);
       Wall wall{};
       wall.asked = one, wall.side = one.side, wall.grip = one.grip;
-      wall.start_distance = one.start_time ? -1. : one.start_distance;
+      wall.start_distance = one.start_time ? -1. : one.start_distance.value_or(0.);
       const int axis = wall.axis();
       wall.origin =
           mesh.lower[axis] + (wall.inward() > 0 ? 0. : (mesh.nodes[axis] - 1) * mesh.spacing[axis]);
@@ -163,6 +164,8 @@ namespace medium
       const auto gap = gap_to_front(wall, walls.cuts, phi, mesh, reach);
       if (!gap)
         continue;
+      if (!wall.started && *gap > wall.start_distance)
+        continue; // nearer than a cell, not as near as asked
       if (!wall.started)
         wall.started = time;
       if (*gap > 0. || counted == Contact::push)

@@ -40,16 +40,17 @@ namespace medium
 
     void continue_behind(const WalledField &field, const Cuts &cuts, const Mesh &mesh)
     {
-      fill_behind(*field.value, cuts, mesh);
+      const Image image = field.gradients ? field.gradients->image : Image::scalar;
+      fill_behind(*field.value, cuts, mesh, Parity::even, image);
       if (!field.gradients || field.gradients->x.empty())
         return;
       Gradients &gradients = *field.gradients;
-      fill_behind(gradients.x, cuts, mesh, Parity::odd_in_x);
-      fill_behind(gradients.y, cuts, mesh, Parity::odd_in_y);
+      fill_behind(gradients.x, cuts, mesh, Parity::odd_in_x, image);
+      fill_behind(gradients.y, cuts, mesh, Parity::odd_in_y, image);
       if (!gradients.xy.empty())
-        fill_behind(gradients.xy, cuts, mesh, Parity::odd_in_both);
+        fill_behind(gradients.xy, cuts, mesh, Parity::odd_in_both, image);
       if (!gradients.last.empty())
-        fill_behind(gradients.last, cuts, mesh);
+        fill_behind(gradients.last, cuts, mesh, Parity::even, image);
     }
 
     /// One component behind one wall: through `value` at the wall in the next line, `value` beyond;

@@ -93,8 +93,9 @@ namespace melt
 
   Growth::Growth(const Mesh &m, const Law &law, const GrowthOptions &o, double undercooling)
       : grid(m), parameters(law), options(o),
-        limit(std::min(heat_step_limit(m, law, o.laplacian),
-                       phase_step_limit(m, law, o.laplacian, undercooling))),
+        limit(o.phase ? std::min(heat_step_limit(m, law, o.laplacian),
+                                 phase_step_limit(m, law, o.laplacian, undercooling))
+                      : heat_step_limit(m, law, o.laplacian)),
         sweep(Sweep<double>(m, o.tiles))
   {
     if (options.precision == scene::Precision::single_precision)

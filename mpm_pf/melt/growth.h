@@ -21,6 +21,7 @@ namespace melt
     scene::Laplacian laplacian = scene::Laplacian::nine_point;
     scene::Precision precision = scene::Precision::double_precision;
     bool tiles = true;
+    bool phase = true;  // false: of heat alone, so that Eq. (1) limits no step
     bool force = false; // accept a step past the limit (to show the blow-up being caught)
   };
 
@@ -50,7 +51,8 @@ namespace melt
       const medium::Cuts *cuts = nullptr;
     };
 
-    /// The smaller of the two limits, time. Any step up to it is stable.
+    /// The smaller of the two limits (that of heat alone without a phase), time. Any step up to it
+    /// is stable.
     double step_limit() const { return limit; }
 
     /// `steps` steps of length `h` (time) of Eqs. (1) and (2), right sides. Ghosts are filled

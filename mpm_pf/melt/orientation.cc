@@ -46,6 +46,7 @@ namespace melt
   Orientation make_orientation(double angle_degrees)
   {
     Orientation made;
+    made.gradients.image = medium::Image::angle;
     made.uniform_angle = angle_degrees * pi / 180.;
     const double eighths = angle_degrees / 22.5; // four times 22.5 degrees is a right angle
     const double whole = std::nearbyint(eighths);
@@ -83,7 +84,7 @@ namespace melt
 
   void refresh(Orientation &orientation, const Mesh &mesh)
   {
-    medium::fill_ghosts(orientation.angle, mesh);
+    medium::fill_ghosts(orientation.angle, mesh, medium::Parity::even, medium::Image::angle);
     cos_sin_of_four_times(orientation.angle, orientation.cosine, orientation.sine);
   }
 

@@ -132,8 +132,6 @@ namespace scene
       {
         Wall wall;
         take_section(*find_section("wall"), *at, &wall, complaints);
-        if (wall.start_time)
-          wall.start_distance = -1.; // by time, not by distance
         wall.place = at->place;
         draft.scene.walls.push_back(wall);
         draft.walls.push_back(at);
@@ -244,6 +242,9 @@ namespace scene
     take_list<ProbeInput>("probe", draft, complaints, build_probe);
     take_walls(draft, complaints);
     take_modules(draft, complaints);
+    for (Wall &wall : s.walls)
+      if (!wall.start_time && !wall.start_distance && s.phase_field)
+        wall.start_distance = 8. * s.phase_field->width;
     complete_quantities(s);
   }
 } // namespace scene

@@ -14,7 +14,8 @@ namespace scene
                "Inward travel at which it stops.", "a wall at rest")
           .add("start_distance", &Wall::start_distance, not_negative(Dimension::length),
                "Gap between wall and phi = 0 at which it starts.",
-               "a tip never touches a wall at rest, since its heat fills the gap")
+               "absent: 8 phase_field.width, unless start_time is given; a tip never touches a "
+               "wall at rest, since its heat fills the gap")
           .add("start_time", &Wall::start_time, not_negative(Dimension::time),
                "Time at which it starts, instead.", "absent: start_distance says when")
           .add("ramp", &Wall::ramp, not_negative(Dimension::time),
@@ -46,7 +47,8 @@ namespace scene
           .add("scheme", &Advection::scheme, any(), "Advection scheme.",
                "CIP keeps a tanh profile at third order from one cell of neighbours")
           .add("step_fraction", &Advection::step_fraction, up_to(1.),
-               "Cells that the motion may cross per step and axis.",
+               "Cells that the motion may cross per step and axis; beyond 0.5 only cip_hermite is "
+               "stable.",
                "the paper's; accuracy hardly depends on it")
           .add("analytic_gradients", &Advection::analytic_gradients, any(),
                "Start CIP's gradient fields from the exact profile.",
@@ -60,7 +62,8 @@ namespace scene
           .add("method", &Extension::method, any(), "Closest point, or a PDE in pseudo-time.",
                "the same order, cheaper, without a count of iterations to choose")
           .add("band", &Extension::band, positive(),
-               "Width of the band in cells beyond which the melt's velocity fades.",
+               "Width of the band along the front in cells. Melt beyond it moves as the piece of "
+               "front nearest to it.",
                "wider than the diffuse interface")
           .optional();
     }

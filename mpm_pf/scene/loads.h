@@ -48,9 +48,10 @@ namespace scene
     Edge side;
     double speed = 0.;  // inward
     double travel = 0.; // total inward travel at which the wall stops
-    double start_distance =
-        8.; // gap to phi = 0 at which it starts (in W0); negative: starts at time `start_time`
-    std::optional<double> start_time;
+    // Gap to phi = 0 at which it starts; a scene that was read always has this (8 W0 where nothing
+    // is written) or `start_time`.
+    std::optional<double> start_distance;
+    std::optional<double> start_time;   // or the time at which it starts
     double ramp = 0.;                   // time over which the speed rises smoothly
     std::optional<double> contact_ramp; // once more, from rest, from the first contact on
     WallGrip grip = WallGrip::grip;

@@ -52,6 +52,9 @@ namespace scene
         {"Growth at an undercooling of 1 or more has kinetics.", strong_undercooling_has_kinetics},
         {"The first temperature does not depend on t.", first_temperature_is_fixed},
         {"Noise on a domain with symmetry sides is mirrored.", noise_respects_symmetry},
+        {"A crystal on symmetry sides is its own mirror image: its angle is a multiple of 45.",
+         crystal_fits_symmetry},
+        {"Heat beside a solid is carried by it, which takes a phase field.", heat_is_carried},
         // Expressions
         {"An expression is a finite number wherever and whenever it is used.",
          expressions_are_finite},

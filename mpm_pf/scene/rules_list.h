@@ -35,6 +35,8 @@ namespace scene
   void strong_undercooling_has_kinetics(const Inspection &);
   void first_temperature_is_fixed(const Inspection &);
   void noise_respects_symmetry(const Inspection &);
+  void crystal_fits_symmetry(const Inspection &);
+  void heat_is_carried(const Inspection &);
 
   // rules_probes.cc
   void probes_look_inside(const Inspection &);

@@ -170,4 +170,29 @@ namespace scene
                   "noise mirrored about the middle of an odd number of cells",
                   "even numbers of cells", "change [domain] cells");
   }
+
+  void crystal_fits_symmetry(const Inspection &in)
+  {
+    if (!in.scene().orientation || !in.scene().growth || !sound(in, "orientation"))
+      return;
+    const auto &boundary = in.scene().domain.boundary;
+    const double eighths = in.scene().orientation->angle_degrees / 45.;
+    if (std::find(boundary.begin(), boundary.end(), Boundary::symmetry) == boundary.end() ||
+        std::abs(eighths - std::nearbyint(eighths)) < 1e-9)
+      return;
+    in.complain(in.at("orientation", "angle_degrees"),
+                "a crystal at " + number_text(in.scene().orientation->angle_degrees) +
+                    " degrees on a symmetry side: its mirror image is tilted the other way",
+                "a multiple of 45 degrees, or the whole domain",
+                "make the sides no_flux and grow the whole crystal");
+  }
+
+  void heat_is_carried(const Inspection &in)
+  {
+    if (in.scene().solid && in.scene().heat && !in.present("phase_field"))
+      in.complain(in.at("heat"),
+                  "heat beside a solid: theta is carried with the velocity that is extended from "
+                  "the solid across phi = 0, and there is no [phase_field]",
+                  "[phase_field] beside [solid] and [heat]", "add [phase_field]");
+  }
 } // namespace scene

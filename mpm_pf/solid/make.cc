@@ -46,7 +46,7 @@ namespace solid
       grid.cells = domain.cells;
     }
 
-    // Supports say how fast things move; without them, the walls and what the bodies start with.
+    // How fast supports and walls drive things; 0 if nothing does.
     double reference_speed(const scene::Scene &scene, const scene::Mpm &mpm,
                            const Supports &supports)
     {
@@ -112,6 +112,11 @@ namespace solid
   long points(const Solid &solid)
   {
     return static_cast<long>(solid.points.size());
+  }
+
+  double largest_speed(const Solid &solid)
+  {
+    return solid.speed;
   }
 
   long cells(const Solid &solid)

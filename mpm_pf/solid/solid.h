@@ -64,9 +64,10 @@ namespace solid
   void advance(Solid &, double dt, NodalVelocity *mean = nullptr);
 
   double time(const Solid &);
-  long steps(const Solid &);  // taken so far, a restart included
-  long points(const Solid &); // material points
-  long cells(const Solid &);  // grid cells with nodes in use
+  long steps(const Solid &);           // taken so far, a restart included
+  long points(const Solid &);          // material points
+  double largest_speed(const Solid &); // of any point, as of the last step
+  long cells(const Solid &);           // grid cells with nodes in use
   /// Bytes: "points" (state), "grid", "scratch" (sorting and the like).
   std::map<std::string, double> memory(const Solid &);
   /// Seconds of CPU by part: "points to nodes", "nodes", "nodes to points", "sorting".

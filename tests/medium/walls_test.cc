@@ -155,6 +155,7 @@ namespace medium
     scene::Wall asked;
     asked.side = Edge::top, asked.speed = 0.5, asked.travel = 20., asked.ramp = 4.;
     asked.contact_ramp = 8.;
+    asked.start_distance = 8.;
     Walls walls = make_walls({asked}, mesh);
     Field<double> phi(mesh);
     for (int j = 0; j < mesh.nodes[1]; ++j)
@@ -185,6 +186,50 @@ namespace medium
     ASSERT_TRUE(wall.touched);
     EXPECT_NEAR(wall.travel, asked.travel, 1e-12);
     EXPECT_NEAR(wall.travel_at_touch, 7., 0.4);
+  }
+
+  TEST(Walls, StartAtADistanceBelowACell)
+  {
+    const Mesh mesh = tall_mesh(8, 100);
+    scene::Wall asked;
+    asked.side = Edge::top, asked.speed = 0.5, asked.travel = 20., asked.start_distance = 0.1;
+    Walls walls = make_walls({asked}, mesh);
+    Field<double> phi(mesh);
+    double front = 39.;
+    for (; !walls.walls[0].started && front < 40.; front += 0.01)
+    {
+      for (int j = 0; j < mesh.nodes[1]; ++j)
+        for (int i = 0; i < mesh.nodes[0]; ++i)
+          phi(i, j) = std::tanh((front - 0.4 * j) / std::sqrt(2.));
+      watch(walls, phi, mesh, front);
+    }
+    EXPECT_NEAR(40. - front, 0.1, 0.06); // the wall's own line sees phi = 0 by a parabola
+  }
+
+  TEST(Walls, PushedBeforeTheirTimeWaitForIt)
+  {
+    const Mesh mesh = tall_mesh(8, 100);
+    scene::Wall asked;
+    asked.side = Edge::top, asked.speed = 0.5, asked.travel = 20.;
+    asked.start_time = 2., asked.contact_ramp = 0.2;
+    Walls walls = make_walls({asked}, mesh);
+    for (int step = 0; step < 60; ++step)
+    {
+      const double time = 0.05 * step;
+      watch(walls, time);
+      if (step == 10)
+        touch(walls.walls[0], walls, mesh, time);
+      move(walls, time, 0.05, mesh);
+      const double now = time + 0.05;
+      EXPECT_NEAR(walls.walls[0].travel, now <= 2. ? 0. : 0.5 * (now - 2.), 0.5 * 0.1 + 1e-12)
+          << "at " << now;
+      if (now <= 2.)
+      {
+        EXPECT_EQ(walls.walls[0].travel, 0.);
+      }
+      settle(walls, mesh, {});
+    }
+    EXPECT_NEAR(walls.walls[0].travel, 0.5 * (3. - 2. - 0.1), 1e-9);
   }
 
   TEST(Walls, StartNearTheFrontRampUpAndNoteTheFirstContact)

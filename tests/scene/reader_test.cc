@@ -284,8 +284,16 @@ TEST(Wall, StartsByTimeOrByDistance)
   const Folder folder;
   const std::string text = seed + "[solid]\nyoung_modulus = 1e4\npoisson_ratio = 0.3\ndensity = 1\n"
                                   "[[wall]]\nside = \"top\"\nspeed = 1\ntravel = 5\n";
-  EXPECT_EQ(read_scene(folder.write("a.toml", text)).walls.at(0).start_distance, 8.);
+  EXPECT_EQ(*read_scene(folder.write("a.toml", text)).walls.at(0).start_distance, 8.);
+  EXPECT_EQ(*read_scene(folder.write("c.toml", with(with(text, "width = 1.0", "width = 0.5"),
+                                                    "[growth]\nanisotropy = 0.05\n[heat]\n"
+                                                    "diffusivity = 3.0\nundercooling = 0.55\n",
+                                                    "")))
+                 .walls.at(0)
+                 .start_distance,
+            4.)
+      << "eight widths, whatever the unit";
   const scene::Scene s = read_scene(folder.write("b.toml", text + "start_time = 2\n"));
   EXPECT_EQ(*s.walls.at(0).start_time, 2.);
-  EXPECT_LT(s.walls.at(0).start_distance, 0.);
+  EXPECT_FALSE(s.walls.at(0).start_distance);
 }

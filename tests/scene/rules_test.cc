@@ -225,6 +225,11 @@ reaction = "top"
             {"body_velocity_without_solid",
              with(seed, "radius = 8.0", "radius = 8.0\nvelocity = [1, 0]"), "velocity",
              "without [solid]"},
+            {"tilted_crystal_on_a_quarter", plus(seed, "[orientation]\nangle_degrees = 20\n"),
+             "angle_degrees", "mirror image"},
+            {"heat_that_nothing_carries",
+             plus(bar, "[heat]\ndiffusivity = 1\nundercooling = 0.5\n"), "[heat]",
+             "no [phase_field]"},
             {"step_twice",
              with(seed, "anisotropy = 0.05", "anisotropy = 0.05\nstep = 0.01\nstep_fraction = 0.5"),
              "step", "exclude each other"}};
