@@ -28,6 +28,10 @@ std::string verdict_on_inertia(const World &);
 /// equilibrium. Empty else.
 std::string warning_on_scaling(const World &);
 
+/// A sentence if more than a tenth of the energy that the solid was given is nowhere any more, or
+/// came from nowhere. Empty else.
+std::string warning_on_energy(const World &);
+
 /// A sentence if a wall that should have moved never started: no front came near enough to it.
 /// Empty else.
 std::string warning_on_idle_walls(const World &);

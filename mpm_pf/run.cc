@@ -142,8 +142,9 @@ namespace
   int Session::complete()
   {
     std::string warning = recorder->warning();
-    for (const std::string &doubt : {warning_on_scaling(world), warning_on_quadrature(world),
-                                     warning_on_thin_bodies(world), warning_on_idle_walls(world)})
+    for (const std::string &doubt :
+         {warning_on_scaling(world), warning_on_quadrature(world), warning_on_thin_bodies(world),
+          warning_on_idle_walls(world), warning_on_energy(world)})
       if (!doubt.empty())
         warning += (warning.empty() ? "" : "; ") + doubt;
     if (!warning.empty())

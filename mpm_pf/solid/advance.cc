@@ -190,6 +190,8 @@ namespace solid
       solid.energy.kinetic = kinetic;
       solid.speed = std::sqrt(speed2);
       solid.grid.drift += dt * std::max(solid.speed, solid.supports.speed);
+      const double work = solid.supports.work + solid.loads.work;
+      solid.energy.largest = std::max(solid.energy.largest, solid.energy.start + std::abs(work));
       const double given = solid.energy.start + solid.supports.work_done + solid.loads.work_done;
       const double rounding = 1e-18 * solid.material.wave_modulus() * solid.domain.size.prod();
       if (kinetic > 2. * given + rounding)

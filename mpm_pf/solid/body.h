@@ -18,6 +18,7 @@ namespace solid
     double start = 0.;      // kinetic and elastic, at the start and with what growth has added
     double kinetic = 0.;    // now
     double dissipated = 0.; // by plastic flow since the start
+    double largest = 0.;    // start and work so far, when that was most
   };
 
   struct Timer

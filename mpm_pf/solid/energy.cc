@@ -69,7 +69,24 @@ namespace solid
     solid.speed = 0.;
     for (std::size_t p = 0; p < points.size(); ++p)
       solid.speed = std::max(solid.speed, std::hypot(points.vx[p], points.vy[p]));
-    solid.energy.start = kinetic_energy(solid) + elastic_energy(solid);
+    solid.energy.start = solid.energy.largest = kinetic_energy(solid) + elastic_energy(solid);
+  }
+
+  namespace
+  {
+    // What came in and is nowhere any more.
+    double balance(const Solid &solid, const double kinetic, const double elastic)
+    {
+      return solid.supports.work + solid.loads.work + solid.energy.start - kinetic - elastic -
+             solid.energy.dissipated;
+    }
+  } // namespace
+
+  double missing_energy(const Solid &solid)
+  {
+    const double largest = solid.energy.largest;
+    return largest > 0. ? balance(solid, kinetic_energy(solid), elastic_energy(solid)) / largest
+                        : 0.;
   }
 
   History history(const Solid &solid)
@@ -91,7 +108,7 @@ namespace solid
                    elastic,
                    solid.energy.dissipated,
                    work,
-                   work + solid.energy.start - kinetic - elastic - solid.energy.dissipated,
+                   balance(solid, kinetic, elastic),
                    p[0],
                    p[1],
                    area(solid),

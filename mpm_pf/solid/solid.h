@@ -117,6 +117,8 @@ namespace solid
     std::vector<double> row;
   };
   History history(const Solid &);
+  /// energy_balance as a part of the largest sum of start and |external_work| so far.
+  double missing_energy(const Solid &);
 
   // --- going on later
   // ------------------------------------------------------------------------------
