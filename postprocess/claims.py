@@ -152,7 +152,7 @@ def of_stress(states):
         ),
         judge(
             "a thin layer of solid directly adjacent to the walls stays below the yield stress",
-            in_layer > in_column,
+            in_layer > 0.9 and in_layer > in_column,
             f"{100 * in_layer:.0f} % of the layer of 2 W0 at the wall is below 0.99 sigma_Y, {100 * in_column:.0f} % of the column 5 to 15 W0 below it",
         ),
     ]
