@@ -123,6 +123,7 @@ namespace
 
   bool Session::look(const std::function<bool()> &stop_asked)
   {
+    progress->expect(expected_end(world));
     progress->update(world.time, "step " + std::to_string(world.steps));
     const bool stop = stop_asked();
     if (stop || record::wall_seconds() - last_checkpoint > seconds_between_checkpoints)

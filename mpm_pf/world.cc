@@ -173,6 +173,19 @@ bool finished(const World &world)
          std::all_of(walls.begin(), walls.end(), travelled);
 }
 
+double expected_end(const World &world)
+{
+  const double end = world.scene->clock.end;
+  double stop = 0.; // of the walls
+  if (world.walls)
+    for (const medium::Wall &wall : world.walls->walls)
+      if (wall.asked.travel > 0.)
+        stop = std::max(stop, wall.started ? world.time + (wall.asked.travel - wall.travel) /
+                                                              wall.asked.speed
+                                           : end);
+  return stop > 0. ? std::min(stop, end) : end;
+}
+
 double growth_step(const World &world)
 {
   const auto &growth = world.scene->growth;

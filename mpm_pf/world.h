@@ -60,6 +60,10 @@ World build_world(const scene::Scene &scene, int threads, bool force = false);
 /// to (walls that only stand there do not end it).
 bool finished(const World &);
 
+/// When the run will be over: at the scene's end, or when the walls that are under way will have
+/// travelled as far as they were asked to. Time.
+double expected_end(const World &);
+
 /// Largest step that every present module accepts as one coupling step; infinity if none minds.
 double coupling_step(const World &);
 

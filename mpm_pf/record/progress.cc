@@ -48,6 +48,11 @@ namespace record
     return printed("%.0f h %02.0f min", std::floor(minutes / 60.), std::fmod(minutes, 60.));
   }
 
+  void Progress::expect(const double new_end)
+  {
+    end = new_end;
+  }
+
   void Progress::update(const double time, const std::string &detail)
   {
     const double interval = style == Style::terminal ? 0.2 : 30.;
@@ -58,19 +63,19 @@ namespace record
     std::string line = what + printed(": %5.1f %%  t = %g", 100. * fraction, time);
     if (!detail.empty())
       line += "  " + detail;
-    if (const double left = seconds_left(fraction); std::isfinite(left))
+    if (const double left = seconds_left(time); std::isfinite(left))
       line += "  left " + duration(left);
     say(line);
   }
 
-  double Progress::seconds_left(const double fraction)
+  double Progress::seconds_left(const double time)
   {
     if (seconds_since(later.at) >= window_s)
     {
       earlier = later;
-      later = {Clock::now(), fraction};
+      later = {Clock::now(), time};
     }
-    return seconds_since(earlier.at) * (1. - fraction) / (fraction - earlier.fraction);
+    return seconds_since(earlier.at) * (end - time) / (time - earlier.time);
   }
 
   void Progress::say(const std::string &line)

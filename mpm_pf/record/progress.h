@@ -28,6 +28,8 @@ namespace record
     Progress(std::ostream &, Style, std::string what, double begin, double end,
              double window_s = 30.);
 
+    /// The run is now thought to last until `end` (walls may end it sooner than its clock).
+    void expect(double end);
     /// Say where the run is; cheap when it is not yet time for a line. `detail` is appended, as in
     /// "step 1200".
     void update(double time, const std::string &detail = "");
@@ -42,7 +44,7 @@ namespace record
     struct Mark
     {
       Clock::time_point at;
-      double fraction;
+      double time;
     };
 
     std::ostream *out;
@@ -50,10 +52,10 @@ namespace record
     std::string what;
     double begin, end, window_s;
     Clock::time_point start = Clock::now(), last = start;
-    Mark earlier{start, 0.}, later = earlier; // at least a window apart
-    std::size_t length = 0;                   // of the line on the terminal, to wipe it
+    Mark earlier{start, begin}, later = earlier; // at least a window apart
+    std::size_t length = 0;                      // of the line on the terminal, to wipe it
 
-    double seconds_left(double fraction);
+    double seconds_left(double time);
     void say(const std::string &line);
   };
 } // namespace record

@@ -57,13 +57,17 @@ TEST(EarlyEnd, CompressionCountsFromTheFirstContactWithAndWithoutAPhaseField)
     std::ofstream(path) << text;
     const scene::Scene scene = scene::read_scene(path, {});
     World world = build_world(scene, 1);
+    double foreseen = 0.;
     while (!finished(world))
     {
       step(world, coupling_step(world));
+      if (foreseen == 0.)
+        foreseen = expected_end(world);
       // The block's edge is 4 away from the wall; points feel a wall over two cells at most.
       const medium::Wall &wall = world.walls->walls[0];
       ASSERT_FALSE(wall.touched && wall.travel < 3.) << wall.travel;
     }
+    EXPECT_NEAR(foreseen, world.time, 0.1);
     const double tenth_of_a_cell = 0.05; // what an edge on a grid line is felt to
     EXPECT_NEAR(medium::compression(*world.walls), 0.5 / 12., tenth_of_a_cell / 12.) << text;
     std::filesystem::remove(path);
