@@ -100,11 +100,12 @@ namespace solid
                solid.scheme.node_mass_floor * solid.material.density * solid.grid.dx *
                    solid.grid.dx,
                dt, solid.threads);
+      // v* is what the points bring, not what supports make of it.
+      if (solid.scheme.transfer == Transfer::xpic2)
+        smooth_velocity(solid.scheme, solid.supports.folds, solid.grid, solid.points);
       hold(solid.supports, solid.grid, solid.time, dt);
       book_work(solid.loads, solid.grid, dt);
       move(solid.tracers, solid.scheme, solid.grid, solid.supports.folds, dt);
-      if (solid.scheme.transfer == Transfer::xpic2)
-        smooth_velocity(solid.scheme, solid.supports.folds, solid.grid, solid.points);
     }
 
     // Stresses from the velocities which the points bring, held as over the step to come.

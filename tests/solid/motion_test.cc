@@ -162,6 +162,28 @@ TEST(ShearedBar, EveryTransferAndShapeRunsIt)
     }
 }
 
+// A step from rest: no point may come out faster than the edge that moves it (XPIC(2) once took
+// the held velocity for what the points had brought, and gave it to them twice).
+TEST(Transfers, GiveTheVelocityOfAHeldEdgeOnce)
+{
+  for (const scene::Transfer transfer : {scene::Transfer::tpic, scene::Transfer::apic,
+                                         scene::Transfer::flip, scene::Transfer::xpic2})
+  {
+    scene::Scene scene = small::rectangle({0.5, 0.5}, {1., 1.}, {2., 2.}, {20, 20});
+    scene.mpm->transfer = transfer;
+    small::hold(scene, "top", Edge::top, "0", "-0.01*t");
+    const solid::Owner block = solid::make_solid(scene);
+    solid::advance(*block, 1e-4);
+    ASSERT_EQ(solid::steps(*block), 1);
+    const record::Snapshot points = solid::snapshot(*block, {"velocity_y"});
+    double largest = 0.;
+    for (const double v : points.fields.at("velocity_y"))
+      largest = std::max(largest, std::abs(v));
+    EXPECT_LT(largest, 0.0101);
+    EXPECT_GT(largest, 0.005);
+  }
+}
+
 // The density is scaled for the sake of the step, the weight is not: a column on its foot, loaded
 // slowly, presses with the mass that the scene gives it, at any Mach number.
 TEST(BodyForce, WeighsTheMassOfTheScene)
