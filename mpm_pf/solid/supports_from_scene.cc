@@ -54,8 +54,16 @@ namespace solid
     {
       for (const double x : {box.lower[0], box.upper[0]})
         for (const double y : {box.lower[1], box.upper[1]})
-          if (scene::signed_distance(build.scene.bodies, {x, y}) > build.small())
+        {
+          // All around it: on the seam of two bodies the distance from the outline is not known.
+          double least = std::numeric_limits<double>::max();
+          for (const double a : {-0.01, 0.01})
+            for (const double b : {-0.01, 0.01})
+              least = std::min(least, scene::signed_distance(build.scene.bodies,
+                                                             {x + a * build.dx, y + b * build.dx}));
+          if (least > build.small())
             return true;
+        }
       return false;
     }
 

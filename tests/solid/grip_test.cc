@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "small_scenes.h"
+#include "solid/body.h"
 
 TEST(Grip, WithMaterialAroundItsCornersHoldsAndCarriesTheWeight)
 {
@@ -56,6 +57,22 @@ TEST(Grip, TakesTheWorkOfItsOwnMotion)
   const auto value = [&](const std::string &name) { return small::value_of(history, name); };
   EXPECT_GT(value("kinetic_energy"), 0.04);
   EXPECT_LT(std::abs(value("energy_balance")), 0.02 * value("external_work"));
+}
+
+// Two bodies that abut, a grip of the lower part of one: what is around its corner on their seam
+// makes it a driven box, as in one body.
+TEST(Grip, WithACornerOnASeamHasMaterialAroundIt)
+{
+  scene::Scene scene = small::rectangle({0.2, 0.2}, {1., 1.}, {2.4, 1.4}, {24, 14});
+  scene.bodies.push_back(scene.bodies[0]);
+  scene.bodies[1].shape = scene::Rectangle{{1.2, 0.2}, {1., 1.}};
+  small::hold(scene, "grip", scene::Box{{1.2, 0.2}, {2.2, 0.6}}, "0", "0");
+  const solid::Owner bodies = solid::make_solid(scene);
+  EXPECT_TRUE(bodies->supports.grips.empty());
+  EXPECT_EQ(bodies->supports.driven.size(), 1u);
+  // Its corners on the outline, all that lies above it is free: a grip.
+  scene.supports[0].where = scene::Box{{0.2, 0.2}, {2.2, 0.6}};
+  EXPECT_EQ(solid::make_solid(scene)->supports.grips.size(), 1u);
 }
 
 // Momentum is what the support and the loads have given, of the grip's own points too: a bar hangs
