@@ -40,12 +40,13 @@ namespace scene
           .add("step_fraction", &Mpm::step_fraction, up_to(1.), "Step as a part of dx/(c_p + |v|).",
                "0.2 to 0.7 give the same answers; 0.4 leaves room for badly filled cells")
           .add("node_mass_floor", &Mpm::node_mass_floor, between(0., 0.5),
-               "Nodes below this part of a full cell's mass follow those behind them; 0: off.",
+               "Nodes below this part of a full cell's mass follow those behind them; 0: off, as "
+               "always with stress_update = \"first\".",
                "few points reach the nodes at a rim, and what these are out of balance by eats the "
                "work: a cantilever bent far loses 19 % of its work at 0 and 3 % at 0.1")
           .add("mach", &Mpm::mach, inside(0., 1.),
                "Wanted ratio of the reference speed to the wave speed: the density is scaled to "
-               "it.",
+               "it, and with it the mass, momentum and kinetic energy that a history tells.",
                "absent: the true density; for quasi-static loading 1e-3 to 2e-3 costs 1 % of the "
                "force")
           .add("reference_speed", &Mpm::reference_speed, positive(Dimension::speed),

@@ -262,6 +262,11 @@ namespace scene
                       "\", which carries its own velocity gradient",
                   "stress_update = \"first\" with transfer = \"flip\" or \"xpic2\"",
                   "remove it, or set the transfer");
+    if (in.written("mpm", "node_mass_floor") && mpm.node_mass_floor > 0. &&
+        mpm.stress_update == StressUpdate::first)
+      in.complain(in.at("mpm", "node_mass_floor"),
+                  "node_mass_floor has no use with stress_update = \"first\", which ties no nodes",
+                  "node_mass_floor with stress_update = \"last\"", "remove it");
     const auto &solid = in.scene().solid;
     const bool locks = in.written("solid", "yield_stress") || (solid && solid->locks());
     const bool averaged = mpm.anti_locking.value_or(locks);
