@@ -1,5 +1,5 @@
 // The outline of a union of bodies: each body as a polygon (curves subdivided), joined by
-// Boost.Geometry, and all edges subdivided to the wanted spacing.
+// Boost.Geometry, its vertices made exact, and all edges subdivided to the wanted spacing.
 #include <cmath>
 #include <utility>
 
@@ -7,6 +7,7 @@
 #include <boost/geometry/geometries/point_xy.hpp>
 #include <boost/geometry/geometries/polygon.hpp>
 
+#include "scene/exact_vertices.h"
 #include "scene/geometry.h"
 
 namespace scene
@@ -114,6 +115,15 @@ namespace scene
                     [](const Areas &a, const Areas &b, Areas &both) { bg::union_(a, b, both); });
     }
 
+    std::vector<Polyline> outlines_of(const std::vector<Body> &bodies, const double spacing)
+    {
+      std::vector<Polyline> lines;
+      for (const Body &body : bodies)
+        for (Polyline &line : outlines_of(body, spacing))
+          lines.push_back(std::move(line));
+      return lines;
+    }
+
     std::vector<Polyline> lines_of(const Areas &areas)
     {
       std::vector<Polyline> lines;
@@ -133,26 +143,37 @@ namespace scene
       return lines;
     }
 
-    // The plane within the symmetry sides; on other sides it reaches far beyond the bodies.
+    // The plane within the symmetry sides; on other sides it reaches beyond the bodies, not far:
+    // Boost rounds to a part of the whole.
     Box within_symmetry(const Box &bodies, const Domain &domain)
     {
-      const Point far = bodies.upper - bodies.lower + domain.size;
-      Box box{bodies.lower.cwiseMin(domain.lower) - far,
-              bodies.upper.cwiseMax(domain.upper()) + far};
+      const Point margin = 0.1 * (bodies.upper - bodies.lower);
+      Box box{bodies.lower - margin, bodies.upper + margin};
       for (int axis = 0; axis < 2; ++axis)
       {
         if (domain.boundary[2 * axis] == Boundary::symmetry)
-          box.lower[axis] = domain.lower[axis];
+          box.lower[axis] = std::max(box.lower[axis], domain.lower[axis]);
         if (domain.boundary[2 * axis + 1] == Boundary::symmetry)
-          box.upper[axis] = domain.upper()[axis];
+          box.upper[axis] = std::min(box.upper[axis], domain.upper()[axis]);
       }
       return box;
+    }
+
+    // What lies beyond a symmetry side by rounding, or just before it, lies on it.
+    void snap(std::vector<Polyline> &lines, const Box &window, const double tolerance)
+    {
+      for (Polyline &line : lines)
+        for (Point &p : line)
+          for (int axis = 0; axis < 2; ++axis)
+            for (const double side : {window.lower[axis], window.upper[axis]})
+              if (std::abs(p[axis] - side) <= tolerance)
+                p[axis] = side;
     }
   } // namespace
 
   std::vector<Polyline> union_outline(const std::vector<Body> &bodies, const double spacing)
   {
-    return lines_of(union_of(bodies, spacing));
+    return exact_vertices(lines_of(union_of(bodies, spacing)), outlines_of(bodies, spacing));
   }
 
   std::vector<Polyline> outline(const std::vector<Body> &bodies, const double spacing)
@@ -167,11 +188,17 @@ namespace scene
     if ((all.lower.array() >= kept.lower.array()).all() &&
         (all.upper.array() <= kept.upper.array()).all())
       return outline(bodies, spacing);
-    const Areas window = areas_of(Polyline{
-        kept.lower, {kept.upper[0], kept.lower[1]}, kept.upper, {kept.lower[0], kept.upper[1]}});
+    if ((kept.upper.array() <= kept.lower.array()).any())
+      return {};
+    const Polyline window{
+        kept.lower, {kept.upper[0], kept.lower[1]}, kept.upper, {kept.lower[0], kept.upper[1]}};
     Areas inside;
-    bg::intersection(union_of(bodies, spacing), window, inside);
-    return subdivided(lines_of(inside), spacing);
+    bg::intersection(union_of(bodies, spacing), areas_of(window), inside);
+    std::vector<Polyline> given = outlines_of(bodies, spacing);
+    given.push_back(window);
+    std::vector<Polyline> lines = exact_vertices(lines_of(inside), given);
+    snap(lines, kept, 1e-6 * (all.upper - all.lower).norm());
+    return subdivided(lines, spacing);
   }
 
   double shared_area(const Polyline &a, const Polyline &b)
