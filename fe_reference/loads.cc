@@ -185,7 +185,7 @@ namespace fe
           std::array<scene::Function, 2>{scene::Function(scene.body_force->acceleration[0]),
                                          scene::Function(scene.body_force->acceleration[1])};
     const scene::Box box = scene::bounding_box(scene.bodies);
-    const double tolerance = 1e-9 * (box.upper - box.lower).norm();
+    const double tolerance = matching_tolerance(box);
     for (const scene::Traction &traction : scene.tractions)
     {
       Loads::Traction load{

@@ -57,16 +57,21 @@ namespace fe
       return bodies;
     }
 
+    double area_within(const scene::Scene &scene, const double spacing)
+    {
+      double area = 0.;
+      for (const auto &line : scene::outline(scene.bodies, scene.domain, spacing))
+        area += scene::signed_area(line);
+      return area;
+    }
+
     // Before the mesh eats what there is: no cell gets by with less than 5 kB, a quadratic one
     // takes 30 kB with its part of the factors.
     void refuse_more_than_memory(const scene::Scene &scene, const std::array<int, 2> &cells)
     {
       constexpr double least_bytes = 5e3;
       const scene::Box box = cut_box(scene);
-      double area = 0.;
-      for (const auto &line :
-           scene::outline(scene.bodies, scene.domain, (box.upper - box.lower).norm() / 50.))
-        area += scene::signed_area(line);
+      const double area = area_within(scene, (box.upper - box.lower).norm() / 50.);
       const double bytes =
           least_bytes * cells[0] * cells[1] * area / (box.upper - box.lower).prod();
       const double has = record::machine_bytes();
@@ -118,7 +123,7 @@ namespace fe
     {
       const std::vector<int> piece = pieces_of(mesh);
       const scene::Box box = scene::bounding_box(scene.bodies);
-      const double tolerance = 1e-9 * (box.upper - box.lower).norm();
+      const double tolerance = matching_tolerance(box);
       std::vector<char> held(mesh.vertices.size(), 0);
       for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
         for (const scene::Support &support : scene.supports)
@@ -141,6 +146,21 @@ namespace fe
         }
     }
   } // namespace
+
+  double matching_tolerance(const scene::Box &bodies)
+  {
+    return 1e-7 * (bodies.upper - bodies.lower).norm();
+  }
+
+  double filled(const scene::Scene &scene, const QuadMesh &mesh)
+  {
+    double area = 0.;
+    for (const auto &cell : mesh.cells)
+      area += scene::signed_area({mesh.vertices[cell[0]], mesh.vertices[cell[1]],
+                                  mesh.vertices[cell[2]], mesh.vertices[cell[3]]});
+    const scene::Box box = cut_box(scene);
+    return area / area_within(scene, (box.upper - box.lower).norm() / 2000.);
+  }
 
   bool on_symmetry_side(const scene::Domain &domain, const int axis, const Point &X,
                         const double tolerance)

@@ -8,8 +8,8 @@
 // corners positions follow the power grading s^(1/(1-grading)), which restores the order that a
 // uniform mesh loses there (I. Babuska, R. B. Kellogg, J. Pitkaranta, Numer. Math. 33 (1979) 447).
 // Discs, rings, polygons and unions that hold one of them are meshed inside their common outline by
-// Gmsh, triangles recombined and subdivided into quadrilaterals; sides are straight. What lies
-// beyond a symmetry side of the domain is left out.
+// Gmsh, triangles recombined and subdivided into quadrilaterals; sides are straight, their ends on
+// the outline (follow_outline.h). What lies beyond a symmetry side of the domain is left out.
 #pragma once
 
 #include <array>
@@ -29,6 +29,12 @@ namespace fe
 
   /// Cells asked for over the bounding box of the bodies: [fe] cells, else the domain's spacing.
   std::array<int, 2> wanted_cells(const scene::Scene &);
+
+  /// How far from an edge or segment a node still lies on it.
+  double matching_tolerance(const scene::Box &bodies);
+
+  /// Area of the mesh over that within the bodies' outline.
+  double filled(const scene::Scene &, const QuadMesh &);
 
   /// Is `X` on a symmetry side of the domain whose normal is `axis`?
   bool on_symmetry_side(const scene::Domain &, int axis, const Point &X, double tolerance);

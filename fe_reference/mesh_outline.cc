@@ -5,6 +5,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "follow_outline.h"
 #include "mesh.h"
 #include "scene/geometry.h"
 #include "scene/reader.h"
@@ -163,6 +164,22 @@ namespace fe
       return mesh;
     }
 
+    // As segments as long as the bodies.
+    std::vector<scene::Where> symmetry_sides(const scene::Domain &domain, const scene::Box &box)
+    {
+      std::vector<scene::Where> sides;
+      for (int side = 0; side < 4; ++side)
+      {
+        if (domain.boundary[side] != scene::Boundary::symmetry)
+          continue;
+        const int axis = side / 2;
+        scene::Segment segment{box.lower, box.upper};
+        segment.a[axis] = segment.b[axis] = (side % 2 ? domain.upper() : domain.lower)[axis];
+        sides.push_back(segment);
+      }
+      return sides;
+    }
+
     [[noreturn]] void refuse_crossing(const scene::Place &place)
     {
       throw scene::BadScene(place.file + ":" + std::to_string(place.line) +
@@ -177,17 +194,22 @@ namespace fe
                         const std::vector<scene::Support> &held)
   {
     const double size = std::min(spacing[0], spacing[1]);
-    // Subdivision halves every element: the triangles before it are twice the wanted size.
-    std::vector<scene::Polyline> outlines = scene::outline(bodies, domain, 0.5 * size);
-    for (scene::Polyline &outline : outlines)
+    const scene::Box box = scene::bounding_box(bodies);
+    const double tolerance = matching_tolerance(box);
+    std::vector<scene::Where> held_or_loaded = symmetry_sides(domain, box);
+    held_or_loaded.insert(held_or_loaded.end(), parts.begin(), parts.end());
+    std::vector<scene::Polyline> exact = scene::outline(bodies, domain, 0.1 * size), outlines;
+    for (scene::Polyline &outline : exact)
     {
-      outline = simplify_outline(outline, 0.02 * size, 0.5 * size);
-      outline = with_ends(outline, parts, 0.05 * size);
-      if (scene::crosses_itself(outline)) // what gmsh then throws cannot be caught
+      outline = with_ends(outline, held_or_loaded, tolerance, tolerance);
+      const std::vector<char> ends = ends_of_parts(outline, size, held_or_loaded, box, tolerance);
+      outlines.push_back(simplify_outline(outline, ends, 0.02 * size, 0.5 * size));
+      if (scene::crosses_itself(outlines.back())) // what gmsh then throws cannot be caught
         refuse_crossing(bodies.front().place);
     }
     const Session session;
     gmsh::model::add("outline");
+    // Subdivision halves every element: the triangles before it are twice the wanted size.
     Places places{2. * size, 0.06 * size};
     const auto surfaces = add_surfaces(outlines, places);
     embed(held_lines_inside(bodies, domain, outlines, held, 0.05 * size), outlines, surfaces,
@@ -202,6 +224,7 @@ namespace fe
     QuadMesh mesh = collect();
     if (mesh.cells.empty())
       throw std::runtime_error("gmsh made no mesh of the bodies; is their outline closed?");
+    follow_outline(mesh, exact, 0.1 * size);
     return mesh;
   }
 } // namespace fe

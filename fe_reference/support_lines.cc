@@ -36,7 +36,7 @@ namespace fe
 
     // Parts of the chord from p to q at which something held or loaded begins or ends.
     std::vector<double> ends_on(const Point &p, const Point &q,
-                                const std::vector<scene::Where> &parts)
+                                const std::vector<scene::Where> &parts, const double tolerance)
     {
       std::vector<double> ends;
       const Point chord = q - p;
@@ -45,7 +45,7 @@ namespace fe
         if (const auto *segment = std::get_if<scene::Segment>(&part))
         {
           for (const Point &end : {segment->a, segment->b})
-            if (std::abs(cross(end - p, chord)) < 1e-9 * length2)
+            if (std::abs(cross(end - p, chord)) < tolerance * chord.norm())
               ends.push_back((end - p).dot(chord) / length2);
         }
         else if (const auto *box = std::get_if<scene::Box>(&part))
@@ -80,14 +80,14 @@ namespace fe
   } // namespace
 
   Polyline with_ends(const Polyline &outline, const std::vector<scene::Where> &parts,
-                     const double gap)
+                     const double gap, const double tolerance)
   {
     Polyline result;
     for (std::size_t k = 0; k < outline.size(); ++k)
     {
       const Point p = outline[k], q = outline[(k + 1) % outline.size()];
       result.push_back(p);
-      for (const double t : ends_on(p, q, parts))
+      for (const double t : ends_on(p, q, parts, tolerance))
       {
         const Point end = p + t * (q - p);
         if (t > 0. && t < 1. && (end - result.back()).norm() > gap && (end - q).norm() > gap)

@@ -88,7 +88,7 @@ namespace fe
     supports.is_held.assign(d.unknowns(), 0);
     const std::vector<char> on_outline = nodes_of_outline(d);
     const scene::Box box = box_of(d.position);
-    const double tolerance = 1e-9 * (box.upper - box.lower).norm();
+    const double tolerance = matching_tolerance(box);
     for (const scene::Support &support : scene.supports)
     {
       Supports::Held held;
