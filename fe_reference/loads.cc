@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "outline_lengths.h"
 #include "scene/geometry.h"
 #include "scene/reader.h"
 
@@ -186,6 +187,9 @@ namespace fe
                                          scene::Function(scene.body_force->acceleration[1])};
     const scene::Box box = scene::bounding_box(scene.bodies);
     const double tolerance = matching_tolerance(box);
+    std::optional<OutlineLengths> lengths;
+    if (!scene.tractions.empty())
+      lengths.emplace(scene, d);
     for (const scene::Traction &traction : scene.tractions)
     {
       Loads::Traction load{
@@ -199,6 +203,13 @@ namespace fe
                               ": traction '" + traction.name +
                               "' acts on no side of the mesh; name an edge of the outline or a "
                               "segment on it");
+      double length = 0.;
+      for (const Loads::LoadedSide &part : load.sides)
+        length += (part.to - part.from) *
+                  (d.position[part.side.node[d.degree]] - d.position[part.side.node[0]]).norm();
+      lengths->check([&](const Point &X)
+                     { return scene::contains(traction.where, box, X, tolerance); },
+                     length, traction.place, "traction '" + traction.name + "' acts on");
       loads.tractions.push_back(std::move(load));
     }
     return loads;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "outline_lengths.h"
 #include "scene/geometry.h"
 #include "scene/reader.h"
 
@@ -16,17 +17,6 @@ namespace fe
         for (int k = 0; k <= d.degree; ++k)
           on[side.node[k]] = 1;
       return on;
-    }
-
-    scene::Box box_of(const std::vector<Point> &positions)
-    {
-      scene::Box box{positions.front(), positions.front()};
-      for (const Point &p : positions)
-      {
-        box.lower = box.lower.cwiseMin(p);
-        box.upper = box.upper.cwiseMax(p);
-      }
-      return box;
     }
 
     // Normal displacement zero where the body meets a symmetry side of the domain.
@@ -75,6 +65,24 @@ namespace fe
         supports.held.push_back(std::move(pin));
       }
     }
+
+    // Boxes hold what lies in them, whatever the outline does.
+    void check_lengths(const scene::Scene &scene, const Discretisation &d, const scene::Box &box,
+                       const double tolerance)
+    {
+      const OutlineLengths lengths(scene, d);
+      const auto check =
+          [&](const OutlineLengths::Lies &lies, const scene::Place &place, const std::string &who)
+      { lengths.check(lies, lengths.of_mesh(lies), place, who); };
+      for (const scene::Support &support : scene.supports)
+        if (!std::holds_alternative<scene::Box>(support.where))
+          check([&](const Point &X) { return scene::contains(support.where, box, X, tolerance); },
+                support.place, "support '" + support.name + "' holds");
+      for (const int axis : {0, 1})
+        check([&](const Point &X) { return on_symmetry_side(scene.domain, axis, X, tolerance); },
+              scene.domain.place,
+              std::string("the symmetry sides across ") + (axis == 0 ? "x" : "y") + " hold");
+    }
   } // namespace
 
   bool Supports::all_held() const
@@ -87,7 +95,7 @@ namespace fe
     Supports supports;
     supports.is_held.assign(d.unknowns(), 0);
     const std::vector<char> on_outline = nodes_of_outline(d);
-    const scene::Box box = box_of(d.position);
+    const scene::Box box = scene::bounding_box(scene.bodies);
     const double tolerance = matching_tolerance(box);
     for (const scene::Support &support : scene.supports)
     {
@@ -117,6 +125,7 @@ namespace fe
       supports.held.push_back(std::move(held));
     }
     hold_symmetry_sides(scene.domain, d, tolerance, supports);
+    check_lengths(scene, d, box, tolerance);
     pin_floating_directions(d, box, supports);
     return supports;
   }

@@ -1,5 +1,6 @@
 #include "solid/loads.h"
 
+#include <algorithm>
 #include <string>
 
 #include "scene/geometry.h"
@@ -44,7 +45,8 @@ namespace solid
   {
     Loads loads;
     const scene::Box box = scene::bounding_box(scene.bodies);
-    const double tolerance = 1e-6 * scene.domain.spacing()[0];
+    const double tolerance =
+        std::max(1e-6 * scene.domain.spacing()[0], 1e-7 * (box.upper - box.lower).norm());
     for (const scene::Traction &asked : scene.tractions)
     {
       const std::size_t index = loads.tractions.size();

@@ -8,6 +8,7 @@
 
 #include "fe_reference/mesh.h"
 #include "scene/geometry.h"
+#include "scene/reader.h"
 #include "small_scenes.h"
 
 namespace
@@ -112,4 +113,51 @@ TEST(OutlineMesh, HasItsVerticesOnTheCircle)
               farthest, std::abs((mesh.vertices[vertex] - fe::Point(1., 2.)).norm() - radius));
     EXPECT_LT(farthest, 1.01 * std::pow(0.1 * size, 2) / (8. * radius)) << size;
   }
+}
+
+namespace
+{
+  // The mesh of a block 2 x 1 whose side at `y` dips by `dip` at its right end.
+  fe::Discretisation dipping(const scene::Scene &scene, const double y, const double dip)
+  {
+    fe::QuadMesh mesh = fe::make_mesh(scene);
+    for (fe::Point &p : mesh.vertices)
+      if (p[1] == y)
+        p[1] -= 0.5 * p[0] * dip;
+    return fe::discretise(mesh, 2);
+  }
+} // namespace
+
+TEST(OutlineLengths, RefuseAMeshThatLeavesAHeldEdge)
+{
+  scene::Scene scene = fe_test::solid_scene(1e6, {8, 4}, 2, 1);
+  scene.bodies = {fe_test::rectangle(0., 0., 2., 1.)};
+  scene.supports = {fe_test::support("bottom", scene::Edge::bottom, "0", "0"),
+                    fe_test::support("top", scene::Edge::top, "0", "-0.1*t")};
+  EXPECT_NO_THROW(fe::make_supports(scene, dipping(scene, 1., 0.)));
+  EXPECT_THROW(fe::make_supports(scene, dipping(scene, 1., 1e-4)), scene::BadScene);
+}
+
+TEST(OutlineLengths, RefuseAMeshThatLeavesALoadedEdge)
+{
+  scene::Scene scene = fe_test::solid_scene(1e6, {8, 4}, 2, 1);
+  scene.bodies = {fe_test::rectangle(0., 0., 2., 1.)};
+  scene.supports = {fe_test::support("bottom", scene::Edge::bottom, "0", "0")};
+  scene::Traction load;
+  load.where = scene::Edge::top;
+  load.traction = {fe_test::expression("0"), fe_test::expression("1")};
+  scene.tractions = {load};
+  EXPECT_NO_THROW(fe::make_loads(scene, dipping(scene, 1., 0.)));
+  EXPECT_THROW(fe::make_loads(scene, dipping(scene, 1., 1e-4)), scene::BadScene);
+}
+
+TEST(OutlineLengths, RefuseAMeshThatLeavesASymmetrySide)
+{
+  scene::Scene scene = fe_test::solid_scene(1e6, {8, 4}, 2, 1);
+  scene.domain.size = {4., 2.}, scene.domain.cells = {16, 8};
+  scene.domain.boundary[2] = scene::Boundary::symmetry;
+  scene.bodies = {fe_test::rectangle(0., 0., 2., 1.)};
+  scene.supports = {fe_test::support("top", scene::Edge::top, "0", "-0.1*t")};
+  EXPECT_NO_THROW(fe::make_supports(scene, dipping(scene, 0., 0.)));
+  EXPECT_THROW(fe::make_supports(scene, dipping(scene, 0., 1e-4)), scene::BadScene);
 }
