@@ -18,13 +18,15 @@ namespace scene
   // rules_solid.cc
   void viscosity_needs_yield_stress(const Inspection &);
   void initial_state_is_of_a_solid(const Inspection &);
-  void loads_meet_material(const Inspection &);
   void supports_hold_something(const Inspection &);
-  void supports_do_not_compete(const Inspection &);
-  void tractions_act_on_outlines(const Inspection &);
   void transfer_keys_are_used(const Inspection &);
   void mach_has_a_speed(const Inspection &);
   void fe_cells_are_both_given(const Inspection &);
+
+  // rules_places.cc
+  void loads_meet_material(const Inspection &);
+  void supports_do_not_compete(const Inspection &);
+  void tractions_act_on_outlines(const Inspection &);
 
   // rules_melt.cc
   void walls_have_room(const Inspection &);

@@ -1,0 +1,61 @@
+// Where supports and loads may be.
+#include "scene_file.h"
+
+using namespace scene_test;
+
+namespace
+{
+  std::string complaints_of(const std::string &text)
+  {
+    const Folder folder;
+    return complaints(folder.write("scene.toml", text));
+  }
+
+  // The bar's material reaches from (2, 0.2) to (3, 2.2); its edges at the top and bottom are held.
+  std::string with_boxes(const std::string &first, const std::string &second)
+  {
+    return bar + "[[support]]\nname = \"a\"\nregion = " + first +
+           "\ndisplacement = [\"free\", \"0.1*t\"]\n[[support]]\nname = \"b\"\nregion = " + second +
+           "\ndisplacement = [\"free\", \"0.2*t\"]\n";
+  }
+
+  const std::string same = "hold the same component of the same place";
+} // namespace
+
+TEST(Places, BoxesThatOverlapInMaterialDoNotMoveApart)
+{
+  EXPECT_NE(complaints_of(with_boxes("{lower = [1.9, 1.0], upper = [2.6, 1.4]}",
+                                     "{lower = [2.5, 1.0], upper = [3.1, 1.4]}"))
+                .find(same),
+            std::string::npos);
+}
+
+TEST(Places, BoxesMayTouchAndOverlapBesideTheMaterial)
+{
+  EXPECT_EQ(complaints_of(with_boxes("{lower = [1.9, 1.0], upper = [2.6, 1.4]}",
+                                     "{lower = [2.6, 1.0], upper = [3.1, 1.4]}")),
+            "");
+  EXPECT_EQ(complaints_of(with_boxes("{lower = [1.8, 1.0], upper = [2.6, 1.4]}",
+                                     "{lower = [1.8, 1.4], upper = [1.9, 1.6]}"))
+                .find(same),
+            std::string::npos);
+}
+
+TEST(Places, ABoxDoesNotMoveApartFromTheEdgeInIt)
+{
+  const std::string grip = "[[support]]\nname = \"grip\"\nregion = {lower = [1.9, 2.0], upper = "
+                           "[3.1, 2.3]}\ndisplacement = ";
+  EXPECT_NE(complaints_of(bar + grip + "[\"0.1*t\", \"free\"]\n").find(same), std::string::npos);
+  EXPECT_EQ(complaints_of(bar + grip + "[\"0.4*t\", \"free\"]\n"), "");
+}
+
+TEST(Places, AnEdgeIsNotCutOffByASymmetrySide)
+{
+  const std::string cut =
+      with(with(bar, "cells = [50, 24]",
+                "cells = [50, 24]\norigin = [0, 0.5]\nboundary = {bottom = \"symmetry\", left = "
+                "\"no_flux\", right = \"no_flux\", top = \"no_flux\"}"),
+           "line = [[1.5, 1.2], [3.5, 1.2]]", "line = [[1.5, 1.2], [3.5, 1.3]]");
+  EXPECT_NE(complaints_of(cut).find("a symmetry side that cuts their bottom edge off"),
+            std::string::npos);
+}
