@@ -36,9 +36,10 @@ namespace fe
       text << "no equilibrium beyond t = " << last.time << " (" << 100. * last.time / course.end
            << " % of the load) after " << step << " steps: " << report.trouble << ", near X = ("
            << X[0] << ", " << X[1] << "); smallest Jacobian of the last equilibrium "
-           << last.smallest_jacobian
-           << ". Remedy: more [fe] load_steps, other [fe] cells, or [fe] grading towards the "
-              "corners";
+           << last.smallest_jacobian << ". Remedy: "
+           << (report.hopeless ? "a support that takes up the force"
+                               : "more [fe] load_steps, other [fe] cells, or [fe] grading towards "
+                                 "the corners");
       return text.str();
     }
 
@@ -95,12 +96,12 @@ namespace fe
 
     bool March::advance()
     {
-      while (pace.increment > smallest_fraction * nominal)
+      while (pace.increment > smallest_fraction * nominal && !report.hopeless)
       {
         const double time = target_time(pace.increment);
         if (!pace.velocity.empty() && attempt(time, true))
           return true;
-        if (attempt(time, false))
+        if (!report.hopeless && attempt(time, false))
           return true;
         pace.increment = 0.5 * std::min(pace.increment, time - last.time);
         pace.easy = 0;

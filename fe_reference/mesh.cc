@@ -4,6 +4,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "pieces.h"
 #include "record/provenance.h"
 #include "scene/geometry.h"
 #include "scene/reader.h"
@@ -99,29 +100,14 @@ namespace fe
       return parts;
     }
 
-    // Pieces that touch in an edge are one; a piece without support has no equilibrium.
-    std::vector<int> pieces_of(const QuadMesh &mesh)
-    {
-      std::vector<int> piece(mesh.vertices.size());
-      for (std::size_t i = 0; i < piece.size(); ++i)
-        piece[i] = static_cast<int>(i);
-      const auto root = [&piece](int i)
-      {
-        while (piece[i] != i)
-          i = piece[i] = piece[piece[i]];
-        return i;
-      };
-      for (const auto &cell : mesh.cells)
-        for (int k = 1; k < 4; ++k)
-          piece[root(cell[k])] = root(cell[0]);
-      for (std::size_t i = 0; i < piece.size(); ++i)
-        piece[i] = root(static_cast<int>(i));
-      return piece;
-    }
-
+    // A piece without support has no equilibrium.
     void check_pieces(const scene::Scene &scene, const QuadMesh &mesh)
     {
-      const std::vector<int> piece = pieces_of(mesh);
+      std::vector<int> cell_vertices;
+      for (const auto &cell : mesh.cells)
+        cell_vertices.insert(cell_vertices.end(), cell.begin(), cell.end());
+      const std::vector<int> piece =
+          pieces(static_cast<int>(mesh.vertices.size()), cell_vertices, 4);
       const scene::Box box = scene::bounding_box(scene.bodies);
       const double tolerance = matching_tolerance(box);
       std::vector<char> held(mesh.vertices.size(), 0);

@@ -88,6 +88,28 @@ namespace fe
       return best < HUGE_VAL && move(problem, old, now, base, step, best_fraction);
     }
 
+    // A pin that carries a force holds up what nothing else does. What Newton's method leaves over
+    // adds up in it.
+    bool pins_are_free(const Problem &problem, const State &state, const Balance &balance,
+                       NewtonReport &report)
+    {
+      const double left = std::max(problem.tolerance * balance.scale, balance.rounding);
+      const double limit = std::max(1e-6 * balance.scale,
+                                    2. * std::sqrt(static_cast<double>(problem.mesh.nodes)) * left);
+      for (const int pin : problem.supports.pins)
+      {
+        const double force = state.external[pin] - state.internal[pin];
+        if (std::abs(force) <= limit)
+          continue;
+        report.hopeless = true;
+        report.worst_unknown = pin;
+        report.trouble = std::string("nothing holds the body in ") + (pin % 2 ? "y" : "x") +
+                         ", yet a net force of " + std::to_string(force) + " acts on it";
+        return false;
+      }
+      return true;
+    }
+
     // First correction: moves the held unknowns to their places.
     bool predict(const Problem &problem, LinearSystem &system, const State &old, State &now)
     {
@@ -133,7 +155,7 @@ namespace fe
           break;
         if (balance.free <= std::max(problem.tolerance * balance.scale, balance.rounding))
         {
-          report.converged = true;
+          report.converged = pins_are_free(problem, now, balance, report);
           now.force_scale = balance.scale;
           return report;
         }

@@ -105,16 +105,25 @@ namespace fe
       else
       {
         if (!body)
-          body = std::make_unique<Snapshot>(look(problem, step.state, step.before));
+          body = std::make_unique<Snapshot>(look_at_body(step));
         look_at(*watch.probe, *body, step.state);
       }
     }
   }
 
+  Snapshot Observer::look_at_body(const Step &step) const
+  {
+    Snapshot body = look(problem, step.state, step.before);
+    const double rounding = matching_tolerance(scene::bounding_box(scene.bodies));
+    body.starts_in = [this, rounding](const Point &X)
+    { return scene::signed_distance(scene.bodies, X) >= -rounding; };
+    return body;
+  }
+
   void Observer::observe_last(const Step &step)
   {
     const Stopwatch stopwatch{wall, cpu};
-    const Snapshot body = look(problem, step.state, step.before);
+    const Snapshot body = look_at_body(step);
     for (const Watch &watch : watches)
       if (!due(watch, step.state.time) &&
           !std::holds_alternative<scene::ReactionProbe>(watch.probe->kind) &&

@@ -56,6 +56,7 @@ namespace fe
       bool every_step = false; // whenever an equilibrium is found, and no step is made for it
     };
     bool due(const Watch &, double time) const;
+    Snapshot look_at_body(const Step &) const;
     void energy_row(const Step &);
     void watch_folding(const Step &);
     void look_at(const scene::Probe &, const Snapshot &, const State &);

@@ -103,7 +103,7 @@ namespace fe
   std::vector<double> values_at(const Snapshot &body, const Point &x, const scene::Frame frame,
                                 const std::vector<std::string> &names)
   {
-    const std::optional<Location> at = locate(body, x, frame);
+    const std::optional<Location> at = locate_material(body, x, frame);
     if (!at || body.folded[at->cell])
       return std::vector<double>(names.size(), missing);
     const int point = patch_of(body.problem.mesh, at->unit);
@@ -128,7 +128,7 @@ namespace fe
     for (std::size_t k = 0; k < result.position.size(); ++k)
     {
       const std::vector<double> here = values_at(body, result.position[k], line.frame, names);
-      const bool outside = !locate(body, result.position[k], line.frame).has_value();
+      const bool outside = !locate_material(body, result.position[k], line.frame).has_value();
       for (std::size_t n = 0; n < names.size(); ++n)
         if (is_binned(names[n]) && !bins.area.empty())
           result.values.push_back(outside || bins.area[k] <= 0.

@@ -118,4 +118,26 @@ namespace fe
     }
     return std::nullopt;
   }
+
+  std::optional<Location> locate_material(const Snapshot &body, const Point &x,
+                                          const scene::Frame frame)
+  {
+    constexpr double sagitta = 0.1; // of a side, on the sharpest curve that is worth a mesh
+    const std::optional<Location> inside = locate(body, x, frame);
+    if (inside || frame != scene::Frame::material || !body.starts_in || !body.starts_in(x))
+      return inside;
+    const Discretisation &d = body.problem.mesh;
+    double nearest = std::numeric_limits<double>::infinity();
+    Point foot = x;
+    for (const BoundarySide &side : d.boundary)
+    {
+      const Point &a = d.position[side.node[0]], &b = d.position[side.node[d.degree]];
+      const Point along = b - a;
+      const double s = std::clamp((x - a).dot(along) / along.squaredNorm(), 0., 1.);
+      const double distance = (x - a - s * along).norm();
+      if (distance < nearest && distance < sagitta * along.norm())
+        nearest = distance, foot = a + s * along;
+    }
+    return nearest < std::numeric_limits<double>::infinity() ? locate(body, foot, frame) : inside;
+  }
 } // namespace fe

@@ -8,6 +8,7 @@
 // interpolated in the deformed cell that holds the point.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,6 +25,8 @@ namespace fe
     std::vector<double> u, velocity; // unknowns
     std::vector<PointState> points;  // cells x points
     std::vector<char> folded;        // cells: det F <= 0 at one of its nodes
+    // Where material starts; empty: where the mesh has cells.
+    std::function<bool(const Point &)> starts_in = {};
   };
 
   /// Gathers the points of all processes; every process must call it. `velocity` is the mean over
@@ -41,6 +44,9 @@ namespace fe
   };
   /// Cell that holds `x` (current or, with Frame::material, initial position); empty outside.
   std::optional<Location> locate(const Snapshot &, const Point &x, scene::Frame);
+  /// The same; a point between a curved outline and the chord that a side of the mesh makes of it,
+  /// asked for by its initial position, is looked for on that side.
+  std::optional<Location> locate_material(const Snapshot &, const Point &x, scene::Frame);
 
   /// Values of `names` at `x` interpolated in the cell: displacements by shape functions, others
   /// from the patch that holds the point. NaN outside the body and in folded cells.

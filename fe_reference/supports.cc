@@ -1,8 +1,10 @@
 #include "supports.h"
 
 #include <algorithm>
+#include <map>
 
 #include "outline_lengths.h"
+#include "pieces.h"
 #include "scene/geometry.h"
 #include "scene/reader.h"
 
@@ -40,30 +42,44 @@ namespace fe
       }
     }
 
-    // Pins the node nearest to the middle in every direction that no support holds.
-    void pin_floating_directions(const Discretisation &d, const scene::Box &box, Supports &supports)
+    // The node of the piece nearest to the middle of its box.
+    int middle_node(const Discretisation &d, const std::vector<int> &nodes)
     {
+      scene::Box box{d.position[nodes.front()], d.position[nodes.front()]};
+      for (const int n : nodes)
+        box = {box.lower.cwiseMin(d.position[n]), box.upper.cwiseMax(d.position[n])};
       const Point middle = 0.5 * (box.lower + box.upper);
-      const auto nearest =
-          std::min_element(d.position.begin(), d.position.end(),
-                           [&](const Point &a, const Point &b)
-                           { return (a - middle).squaredNorm() < (b - middle).squaredNorm(); });
-      const auto node = static_cast<int>(nearest - d.position.begin());
-      for (int c = 0; c < 2; ++c)
-      {
-        const bool floats =
-            std::all_of(supports.held.begin(), supports.held.end(),
-                        [c](const Supports::Held &held) { return held.nodes[c].empty(); });
-        if (!floats)
-          continue;
-        Supports::Held pin;
-        pin.nodes[c] = pin.all_nodes = {node};
-        pin.displacement[c].emplace(scene::Expression{});
-        supports.is_held[2 * node + c] = 1;
-        supports.pinned += supports.pinned.empty() ? "" : " and ";
-        supports.pinned += c == 0 ? "x" : "y";
-        supports.held.push_back(std::move(pin));
-      }
+      return *std::min_element(nodes.begin(), nodes.end(),
+                               [&](const int a, const int b) {
+                                 return (d.position[a] - middle).squaredNorm() <
+                                        (d.position[b] - middle).squaredNorm();
+                               });
+    }
+
+    // Pins one node of every piece in every direction in which no support holds the piece.
+    void pin_floating_directions(const Discretisation &d, Supports &supports)
+    {
+      const std::vector<int> piece = pieces(d.nodes, d.cell_node, d.nodes_per_cell);
+      std::map<int, std::vector<int>> nodes_of;
+      for (int n = 0; n < d.nodes; ++n)
+        nodes_of[piece[n]].push_back(n);
+      std::array<bool, 2> pinned{};
+      for (const auto &[root, nodes] : nodes_of)
+        for (int c = 0; c < 2; ++c)
+        {
+          if (std::any_of(nodes.begin(), nodes.end(),
+                          [&, c](const int n) { return supports.is_held[2 * n + c] != 0; }))
+            continue;
+          const int node = middle_node(d, nodes);
+          Supports::Held pin;
+          pin.nodes[c] = pin.all_nodes = {node};
+          pin.displacement[c].emplace(scene::Expression{});
+          supports.is_held[2 * node + c] = 1;
+          supports.pins.push_back(2 * node + c);
+          supports.held.push_back(std::move(pin));
+          pinned[c] = true;
+        }
+      supports.pinned = pinned[0] && pinned[1] ? "x and y" : pinned[0] ? "x" : pinned[1] ? "y" : "";
     }
 
     // Boxes hold what lies in them, whatever the outline does.
@@ -126,7 +142,7 @@ namespace fe
     }
     hold_symmetry_sides(scene.domain, d, tolerance, supports);
     check_lengths(scene, d, box, tolerance);
-    pin_floating_directions(d, box, supports);
+    pin_floating_directions(d, supports);
     return supports;
   }
 

@@ -5,7 +5,8 @@
 // by itself; where two supports claim the same one, the first in the scene holds it. Symmetry sides
 // of the domain hold what no support does: there the normal displacement is zero. A direction
 // that nothing holds (a strip pulled along y, free to contract) has no equilibrium position of its
-// own: one node near the middle is pinned in it, which does no work.
+// own: in each piece of the mesh one node near the middle is pinned in it. That does no work, and a
+// pin carries no force: where it does, the loads are not in balance and there is no equilibrium.
 #pragma once
 
 #include <string>
@@ -28,6 +29,7 @@ namespace fe
     std::vector<Held> held;
     std::vector<char> is_held; // unknowns
     std::string pinned;        // directions pinned so, as text; empty: none
+    std::vector<int> pins;     // unknowns
 
     bool all_held() const;
   };

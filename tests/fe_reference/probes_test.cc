@@ -49,6 +49,28 @@ TEST_P(Probes, FindPointsInTheDeformedBodyAndMissThoseOutside)
               1e-12);
 }
 
+// Between the circle and the chord that the mesh makes of it there is material, and no cell.
+TEST_P(Probes, FindMaterialPointsOnACurvedOutline)
+{
+  scene::Scene scene = fe_test::solid_scene(1e6, {8, 8}, GetParam(), 2);
+  scene.bodies = {fe_test::rectangle(0., 0., 1., 1.)};
+  scene.bodies[0].shape = scene::Disc{{0., 0.}, 1.};
+  scene.supports = {
+      fe_test::support("all", scene::Box{{-1., -1.}, {1., 1.}}, "t*(1 + 0.5*X)", "0")};
+  const fe::Problem problem = fe_test::problem_of(scene);
+  const fe::Outcome outcome = fe_test::solve(scene, problem);
+  fe::Snapshot body = fe::look(problem, outcome.last, outcome.last);
+  body.starts_in = [](const fe::Point &X) { return X.norm() < 1. + 1e-9; };
+  for (int k = 0; k < 100; ++k)
+  {
+    const fe::Point X(std::cos(0.0628 * k), std::sin(0.0628 * k));
+    const auto at = [&](const double stretch)
+    { return fe::values_at(body, stretch * X, scene::Frame::material, {"displacement_x"})[0]; };
+    EXPECT_NEAR(at(1.), 1. + 0.5 * X[0], 0.01) << k;
+    EXPECT_TRUE(std::isnan(at(1.001))) << k;
+  }
+}
+
 TEST_P(Probes, LineSaysWhereThereIsNoMaterial)
 {
   const Stretched s = stretched(GetParam());
