@@ -73,6 +73,8 @@ namespace fe
       events.insert(events.end(), times.begin(), times.end());
     };
     std::for_each(scene.probes.begin(), scene.probes.end(), watch);
+    energy_asked = std::any_of(scene.probes.begin(), scene.probes.end(),
+                               [](const scene::Probe &probe) { return probe.name == "energy"; });
     for (const scene::Probe &probe : own)
       watches.push_back({&probe, {}, true});
     std::sort(events.begin(), events.end());
@@ -200,7 +202,8 @@ namespace fe
 
   void Observer::energy_row(const Step &step)
   {
-    history_row("energy", step);
+    if (!energy_asked)
+      history_row("energy", step);
   }
 
   void Observer::reaction_row(const std::string &name, const std::string &support,

@@ -1,8 +1,8 @@
 // The verb "observe" for the finite elements: probes, reactions and energies into the record.
 //
 // Rows stand at the times of scene::sample_times, which the march meets exactly, so that both
-// solvers' tables have the same rows; the table "energy" has one row per load step. Only process 0
-// writes; all take part in gathering.
+// solvers' tables have the same rows; the table "energy" has one row per load step unless a history
+// of that name is asked for. Only process 0 writes; all take part in gathering.
 #pragma once
 
 #include <memory>
@@ -70,6 +70,7 @@ namespace fe
     std::vector<Watch> watches;
     std::vector<double> events;
     double tolerance, default_bin;
+    bool energy_asked = false; // by a probe, at its own times
     Folding folds;
     double smallest_nodal = 1.;
     int folded_now = 0;

@@ -157,13 +157,12 @@ namespace record
 
   void resolve_outlines(scene::Scene &scene)
   {
-    const std::filesystem::path folder = std::filesystem::path(scene.file).parent_path();
     for (scene::Body &body : scene.bodies)
     {
       const auto *source = std::get_if<RecordedOutline>(&body.shape);
       if (source == nullptr)
         continue;
-      const std::string path = (folder / source->path).string(); // an absolute path stays itself
+      const std::string path = source->path; // the scene's reader put it beside its scene file
       std::vector<Polyline> curves = read_curves(body, path, *source);
       if (source->cut_above)
         curves = cut_above(curves, *source->cut_above);

@@ -10,9 +10,9 @@
 
 namespace record
 {
-  /// Replace every RecordedOutline among the bodies by the Polygon it stands for; paths count from
-  /// the folder of the scene file. Throws scene::BadScene (place, cause, remedy) if the record, the
-  /// probe or the time is missing or nothing is left after the cuts.
+  /// Replace every RecordedOutline among the bodies by the Polygon it stands for; paths are
+  /// as the scene's reader made them, beside the scene file. Throws scene::BadScene (place, cause,
+  /// remedy) if the record, the probe or the time is missing or nothing is left after the cuts.
   void resolve_outlines(scene::Scene &);
 
   /// What lies below the line y = `height` of the area that the closed curves bound by the

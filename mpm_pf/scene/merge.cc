@@ -85,6 +85,12 @@ namespace scene
   void override_with(Value &base, const Value &over, Complaints &complaints)
   {
     Value rest = over;
+    if (const Value *include = over.find("include"))
+    {
+      complaints.add(*include, "an override cannot include a file: files are merged before it",
+                     "include at the top of a scene file", "write a scene that includes both");
+      rest.erase("include");
+    }
     for (const auto &[key, value] : over.entries)
       if (value.kind == Value::Kind::table)
       {

@@ -167,8 +167,32 @@ namespace scene
                   "remove it; [mpm] step_fraction and [fe] load_steps set the solvers' own steps");
   }
 
+  namespace
+  {
+    // Tables that programs write unasked, or may: their names are free for what they hold only.
+    std::string reserved_for(const Probe &probe, const std::vector<Support> &supports)
+    {
+      if (probe.name == "energy" && !std::holds_alternative<HistoryProbe>(probe.kind))
+        return "a history";
+      const auto *reaction = std::get_if<ReactionProbe>(&probe.kind);
+      for (const Support &support : supports)
+        if (probe.name == "reaction " + support.name &&
+            !(reaction && reaction->support == support.name))
+          return "the reaction of \"" + support.name + "\"";
+      return "";
+    }
+  } // namespace
+
   void names_are_unique(const Inspection &in)
   {
+    for (std::size_t i = 0; i < in.scene().probes.size(); ++i)
+    {
+      const std::string holder = reserved_for(in.scene().probes[i], in.scene().supports);
+      const Value *key = in.draft.probes[i]->find("name");
+      if (!holder.empty() && key)
+        in.complain(*key, "the name \"" + in.scene().probes[i].name + "\" is kept for " + holder,
+                    "other names", "change `name`");
+    }
     for (const char *section : {"body", "support", "traction", "probe"})
     {
       const Value *list = in.draft.root.find(section);

@@ -1,5 +1,7 @@
 // Bodies taken from a record: the cut is exact, and what is missing is said with its place.
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 
 #include "record/outline_source.h"
 #include "record/writer.h"
@@ -109,13 +111,13 @@ TEST(RecordedOutline, BecomesThePolygonOfTheWantedTime)
 {
   const Scratch scratch;
   write_comb(scratch / "free.h5");
-  auto scene = scene_with(scratch / "scene.toml", source("free.h5", "contour"));
+  auto scene = scene_with(scratch / "scene.toml", source(scratch / "free.h5", "contour"));
   resolve_outlines(scene);
   EXPECT_EQ(std::get<scene::Polygon>(scene.bodies[0].shape).outlines, std::vector<Polyline>{comb});
 
   auto early = source(scratch / "free.h5", "contour");
   early.time = 0.5;
-  scene = scene_with("elsewhere/scene.toml", early); // an absolute path stays itself
+  scene = scene_with("elsewhere/scene.toml", early);
   resolve_outlines(scene);
   EXPECT_EQ(std::get<scene::Polygon>(scene.bodies[0].shape).outlines[0].size(), 3u);
 }
@@ -124,7 +126,7 @@ TEST(RecordedOutline, IsCutFromBothSides)
 {
   const Scratch scratch;
   write_comb(scratch / "free.h5");
-  auto between = source("free.h5", "contour");
+  auto between = source(scratch / "free.h5", "contour");
   between.cut_above = 2.;
   between.cut_below = 0.5;
   auto scene = scene_with(scratch / "scene.toml", between);
@@ -141,14 +143,50 @@ TEST(RecordedOutline, ComplainsWithPlaceAndRemedy)
     auto scene = scene_with(scratch / "scene.toml", wanted);
     return error_of<scene::BadScene>([&] { resolve_outlines(scene); });
   };
-  const std::string no_file = complaint(source("fre.h5", "contour"));
+  const std::string no_file = complaint(source(scratch / "fre.h5", "contour"));
   EXPECT_NE(no_file.find("scene.toml:7"), std::string::npos) << no_file;
   EXPECT_NE(no_file.find("Run the scene that writes this record first"), std::string::npos);
-  EXPECT_NE(complaint(source("free.h5", "countour")).find("only contour"), std::string::npos);
-  auto wanted = source("free.h5", "contour");
+  EXPECT_NE(complaint(source(scratch / "free.h5", "countour")).find("only contour"),
+            std::string::npos);
+  auto wanted = source(scratch / "free.h5", "contour");
   wanted.time = 1.;
   EXPECT_NE(complaint(wanted).find("but at 0.5, 1.5"), std::string::npos) << complaint(wanted);
   wanted.time = 1.5;
   wanted.cut_above = -1.;
   EXPECT_NE(complaint(wanted).find("nothing"), std::string::npos);
+}
+
+// From a folder above: the path counts from the scene file, once.
+TEST(RecordedOutline, LiesBesideTheSceneThatNamesIt)
+{
+  const Scratch scratch;
+  std::filesystem::create_directories(scratch / "cases");
+  write_comb(scratch / "cases/free.h5");
+  std::ofstream(scratch / "cases/scene.toml") << R"(title = "comb"
+[domain]
+origin = [-1.0, -1.0]
+size = [8.0, 8.0]
+cells = [16, 16]
+[[body]]
+shape = "record"
+record = "free.h5"
+probe = "contour"
+[solid]
+young_modulus = 1.0
+poisson_ratio = 0.3
+density = 1.0
+[[support]]
+on = "bottom"
+displacement = [0, 0]
+[clock]
+end = 1.0
+)";
+  const auto before = std::filesystem::current_path();
+  std::filesystem::current_path(scratch / ".");
+  scene::Scene scene = scene::read_scene("cases/scene.toml", {});
+  const std::string error = error_of<std::exception>([&] { resolve_outlines(scene); });
+  std::filesystem::current_path(before);
+  EXPECT_EQ(error, "");
+  ASSERT_TRUE(std::holds_alternative<scene::Polygon>(scene.bodies[0].shape));
+  EXPECT_EQ(std::get<scene::Polygon>(scene.bodies[0].shape).outlines, std::vector<Polyline>{comb});
 }

@@ -59,3 +59,26 @@ TEST(Places, AnEdgeIsNotCutOffByASymmetrySide)
   EXPECT_NE(complaints_of(cut).find("a symmetry side that cuts their bottom edge off"),
             std::string::npos);
 }
+
+TEST(Names, OfTablesWrittenUnaskedAreKeptForThem)
+{
+  const std::string energy = "[[probe]]\nname = \"energy\"\nevery = 0.5\n",
+                    reaction = "[[probe]]\nname = \"reaction top\"\nevery = 0.5\n";
+  EXPECT_NE(complaints_of(bar + energy + "region = \"all\"\nof = [\"area\"]\n")
+                .find("\"energy\" is kept for a history"),
+            std::string::npos);
+  EXPECT_NE(complaints_of(bar + reaction + "reaction = \"bottom\"\n")
+                .find("kept for the reaction of \"top\""),
+            std::string::npos);
+  EXPECT_EQ(complaints_of(bar + energy + "history = true\n" + reaction + "reaction = \"top\"\n"),
+            "");
+}
+
+TEST(Overrides, IncludeNothing)
+{
+  const Folder folder;
+  folder.write("other.toml", "[clock]\nend = 2.0\n");
+  EXPECT_NE(complaints(folder.write("scene.toml", bar), {"include=[\"other.toml\"]"})
+                .find("an override cannot include a file"),
+            std::string::npos);
+}
