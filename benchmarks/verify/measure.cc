@@ -67,8 +67,8 @@ namespace verify
       ColumnData columns;
       for (const auto &[prefix, name] : take.probes)
         add_table(reader.table(name), prefix, columns);
-      if (take.at == "end")
-        refuse_early_end(reader, columns.at("time"));
+      if (take.between.empty() && (take.at.empty() || take.at == "end"))
+        refuse_early_end(reader, take.probes.at(0)[1], columns.at("time"));
       return curve_or_number(take, constants, columns, true);
     }
 

@@ -13,32 +13,50 @@ namespace verify
 {
   namespace
   {
-    /// End of the clock, if the scene gives it as a number and nothing else may end the run.
-    std::optional<double> end_of_clock(const std::string &scene)
+    std::optional<double> number(const toml::value &value)
+    {
+      if (value.is_floating())
+        return value.as_floating();
+      return value.is_integer() ? std::optional<double>(value.as_integer()) : std::nullopt;
+    }
+
+    /// The last of the times that the scene lists for a probe, if it lists any.
+    std::optional<double> last_listed(const toml::value &root, const std::string &name)
+    {
+      if (!root.contains("probe") || !root.at("probe").is_array())
+        return {};
+      for (const auto &probe : root.at("probe").as_array())
+        if (probe.contains("name") && probe.at("name").is_string() &&
+            probe.at("name").as_string() == name && probe.contains("times"))
+          return number(probe.at("times").as_array().back());
+      return {};
+    }
+
+    /// Until when a table must have been recorded, if the scene tells and nothing else may end the
+    /// run.
+    std::optional<double> end_of(const std::string &scene, const std::string &table)
     {
       try
       {
         std::istringstream stream(scene);
         const toml::value root = toml::parse(stream, "the record's scene");
-        if (!root.is_table() || root.contains("wall") || !root.contains("clock") ||
-            !root.at("clock").contains("end"))
+        if (root.contains("wall") || !root.contains("clock") || !root.at("clock").contains("end"))
           return {};
-        const toml::value &end = root.at("clock").at("end");
-        if (end.is_floating())
-          return end.as_floating();
-        if (end.is_integer())
-          return static_cast<double>(end.as_integer());
+        const auto clock = number(root.at("clock").at("end"));
+        const auto listed = last_listed(root, table);
+        return clock && listed ? std::min(*clock, *listed) : clock;
       }
-      catch (const std::exception &)
+      catch (const std::exception &) // a scene that this program cannot read says nothing
       {
+        return {};
       }
-      return {};
     }
   } // namespace
 
-  void refuse_early_end(const record::Reader &reader, const std::vector<double> &times)
+  void refuse_early_end(const record::Reader &reader, const std::string &table,
+                        const std::vector<double> &times)
   {
-    const auto end = end_of_clock(reader.scene_text());
+    const auto end = end_of(reader.scene_text(), table);
     if (!end || times.empty() || !reader.attribute("ended_by").empty())
       return;
     double spacing = 1e-9 * *end;

@@ -92,7 +92,7 @@ TEST(Campaign, NeverPassesMissingShortOrInfiniteData)
       1);
 }
 
-TEST(Campaign, TakesNoValueAtTheEndOfAHistoryThatStopsBeforeTheClock)
+TEST(Campaign, TakesNothingWholeOfAHistoryThatStopsBeforeTheClock)
 {
   const Workspace w;
   const std::string end =
@@ -102,6 +102,14 @@ TEST(Campaign, TakesNoValueAtTheEndOfAHistoryThatStopsBeforeTheClock)
   const auto shorter = w.run(run_with("\"fake.short=0.7\"") + end);
   EXPECT_EQ(only(shorter).status, Status::missing);
   EXPECT_NE(only(shorter).why.find("the clock ends at 1"), std::string::npos) << only(shorter).why;
+  // a formula is wherever the history is, and would miss nothing
+  const std::string formula =
+      check("table = \"history\", of = \"force/2\"", "{formula = \"sin(x)\"}", "max", "1");
+  EXPECT_EQ(only(w.run(two_runs + formula)).status, Status::pass);
+  EXPECT_EQ(only(w.run(run_with("\"fake.short=0.7\"") + formula)).status, Status::missing);
+  const std::string stretch = check("table = \"history\", of = \"force/2\", between = [0, 0.6]",
+                                    "{formula = \"sin(x)\"}", "max", "1");
+  EXPECT_EQ(only(w.run(run_with("\"fake.short=0.7\"") + stretch)).status, Status::pass);
 }
 
 TEST(Campaign, ExitCodesTellBadInputDivergenceAndMissingReferencesApart)
@@ -200,6 +208,18 @@ TEST(Campaign, ReportsDriftApartFromTheVerdict)
   const auto drifted = w.run(run_with("\"fake.error=0.12\"") + c);
   EXPECT_EQ(only(drifted).status, Status::pass);
   EXPECT_EQ(drifted.exit_code, 5);
+}
+
+TEST(Campaign, CallsRoundOffThatMovesNoDrift)
+{
+  const Workspace w;
+  const std::string c = check("number = \"largest\"", "{number = 1}", "relative", "1e-10");
+  w.write("cases/bar/expect.toml", "title = \"bar\"\n" + run_with("\"fake.error=1e-12\"") + c);
+  auto options = w.options();
+  options.accept = true;
+  EXPECT_EQ(run_campaign(options, w.places()).exit_code, 0);
+  EXPECT_EQ(w.run(run_with("\"fake.error=3e-12\"") + c).exit_code, 0);
+  EXPECT_EQ(w.run(run_with("\"fake.error=3e-11\"") + c).exit_code, 5);
 }
 
 TEST(Campaign, RunsWhatNeedsAnotherRunAfterIt)
