@@ -1,6 +1,7 @@
-"""Puts text that a program made between two marks of a text file, `<!-- NAME: begin -->` and `<!-- NAME: end -->`."""
+"""Puts text that a program made between two marks of a text file, `<!-- NAME: begin -->` and `<!-- NAME: end -->`, and tells of what program it is."""
 
 import re
+import subprocess
 import sys
 from pathlib import Path
 
@@ -14,6 +15,21 @@ def write_between_marks(path, name, text):
     if begin not in old or end not in old:
         sys.exit(f"{path} has no lines {begin} and {end}")
     path.write_text(re.sub(re.escape(begin) + ".*?" + re.escape(end), lambda _: f"{begin}\n{text}{end}", old, count=1, flags=re.S))
+
+
+def tell_origin(made, present=None):
+    """Says on stderr when and with which commit (`made`: provenance of a result) something was measured, and warns if the repository is at
+    another (`present`; default: what git says of this file's)."""
+    if present is None:
+        command = ["git", "-C", str(Path(__file__).parent), "rev-parse", "HEAD"]
+        try:
+            present = subprocess.run(command, capture_output=True, text=True, check=False).stdout.strip()
+        except OSError:
+            present = ""
+    commit = made.get("commit", "unknown")
+    print(f"measured {made.get('start', 'at an unknown time')}, commit {commit}", file=sys.stderr)
+    if present and commit != present:
+        print(f"warning: the repository is at commit {present}; measure again to be sure", file=sys.stderr)
 
 
 def table_program(arguments, usage, name, table, missing):

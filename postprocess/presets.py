@@ -11,7 +11,7 @@ told from none: it stands as `< U`. Where a reference is one run without grids i
 import json
 import sys
 
-from between_marks import table_program
+from between_marks import table_program, tell_origin
 
 LEVELS = ["draft", "standard", "fine"]
 
@@ -68,8 +68,8 @@ def lines(trades):
 def table(folder):
     trades = [json.loads(path.read_text()) for path in sorted((folder / "tradeoff").glob("*.json"))]
     trades = [trade for trade in trades if any(level(row) for row in trade["rows"])]
-    for origin in sorted({(trade["provenance"].get("commit", "unknown"), trade["provenance"].get("start", "")[:10]) for trade in trades}):
-        print(f"measured with commit {origin[0]} on {origin[1]}", file=sys.stderr)
+    for made in {trade["provenance"].get("commit"): trade["provenance"] for trade in trades}.values():
+        tell_origin(made)
     return "\n".join(lines(trades)) + "\n" if trades else ""
 
 

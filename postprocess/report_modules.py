@@ -12,7 +12,7 @@ import re
 import sys
 from html import escape
 
-from between_marks import table_program
+from between_marks import table_program, tell_origin
 
 MARKS = {"met": "✓", "missed": "✗", "not judged": "–"}
 # The whole of a run, and what is counted within another part.
@@ -145,7 +145,10 @@ def markdown(campaign):
 
 def table(folder):
     path = folder / "campaign.json"
-    lines = list(markdown(json.loads(path.read_text()))) if path.is_file() else []
+    campaign = json.loads(path.read_text()) if path.is_file() else None
+    lines = list(markdown(campaign)) if campaign else []
+    if len(lines) > 2:
+        tell_origin(campaign.get("provenance", {}))
     return "\n".join(lines) + "\n" if len(lines) > 2 else ""
 
 

@@ -1,11 +1,14 @@
 """The table of presets: what an error is held against, and no error below the uncertainty of that."""
 
+import contextlib
+import io
 import json
 import tempfile
 import unittest
 from pathlib import Path
 
 import presets
+from between_marks import tell_origin
 
 ROW = {"solver": "mpm_pf", "status": "complete", "cpu_s": 1.0, "peak_rss_bytes": 3e7}
 
@@ -32,6 +35,18 @@ class Presets(unittest.TestCase):
         self.assertIn("| mpm_pf, finer (?) |", lone)
         self.assertIn("not measured, 1 s", lone)
         self.assertIn("| theory |", table([0.1, 0.1, 0.1], {"uncertainty": {}, "against": {"tip": "theory"}}))
+
+
+class Origin(unittest.TestCase):
+    def test_a_result_of_another_commit_is_warned_of(self):
+        def said(present):
+            with contextlib.redirect_stderr(io.StringIO()) as text:
+                tell_origin({"commit": "abc", "start": "2026-01-02T03:04:05Z"}, present)
+            return text.getvalue()
+
+        self.assertIn("measured 2026-01-02T03:04:05Z, commit abc", said("abc"))
+        self.assertNotIn("warning", said("abc"))
+        self.assertIn("warning: the repository is at commit def", said("def"))
 
 
 if __name__ == "__main__":
