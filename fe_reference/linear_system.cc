@@ -118,6 +118,23 @@ namespace fe
     solver->SetParameters(parameters);
   }
 
+  namespace
+  {
+    // INFO(1) of MUMPS' manual: these say that workspace or memory is short.
+    void complain(Amesos_BaseSolver &solver, const char *otherwise)
+    {
+      if (auto *mumps = dynamic_cast<Amesos_Mumps *>(&solver))
+      {
+        const int code = mumps->GetINFO()[0], global = mumps->GetINFOG()[0];
+        for (const int short_of_memory : {-7, -8, -9, -11, -13, -14, -15, -17, -18, -19, -20})
+          if (code == short_of_memory || global == short_of_memory)
+            throw OutOfMemory("MUMPS ran out of memory for the factors of the tangent (its code " +
+                              std::to_string(short_of_memory) + ")");
+      }
+      throw std::runtime_error(otherwise);
+    }
+  } // namespace
+
   LinearSystem::LinearSystem(const Discretisation &d) : trilinos(std::make_unique<Trilinos>())
   {
     trilinos->unknowns_per_cell = 2 * d.nodes_per_cell;
@@ -152,11 +169,11 @@ namespace fe
     if (!t.ordered)
     {
       if (t.solver->SymbolicFactorization() != 0)
-        throw std::runtime_error("the ordering of the tangent failed");
+        complain(*t.solver, "the ordering of the tangent failed");
       t.ordered = true;
     }
     if (t.solver->NumericFactorization() != 0 || t.solver->Solve() != 0)
-      throw std::runtime_error("the tangent is singular");
+      complain(*t.solver, "the tangent is singular");
     std::vector<double> result(right_side.size(), 0.);
     for (std::size_t k = 0; k < t.owned.size(); ++k)
       result[t.owned[k]] = x[0][k];

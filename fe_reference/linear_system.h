@@ -7,6 +7,7 @@
 #pragma once
 
 #include <memory>
+#include <stdexcept>
 #include <vector>
 
 #include "discretisation.h"
@@ -14,6 +15,12 @@
 
 namespace fe
 {
+  /// The factors do not fit: nothing is wrong with the tangent.
+  struct OutOfMemory : std::runtime_error
+  {
+    using std::runtime_error::runtime_error;
+  };
+
   class LinearSystem
   {
   public:

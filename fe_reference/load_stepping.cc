@@ -37,9 +37,10 @@ namespace fe
            << " % of the load) after " << step << " steps: " << report.trouble << ", near X = ("
            << X[0] << ", " << X[1] << "); smallest Jacobian of the last equilibrium "
            << last.smallest_jacobian << ". Remedy: "
-           << (report.hopeless ? "a support that takes up the force"
-                               : "more [fe] load_steps, other [fe] cells, or [fe] grading towards "
-                                 "the corners");
+           << (report.remedy.empty()
+                   ? "more [fe] load_steps, other [fe] cells, or [fe] grading towards "
+                     "the corners"
+                   : report.remedy);
       return text.str();
     }
 
@@ -96,12 +97,12 @@ namespace fe
 
     bool March::advance()
     {
-      while (pace.increment > smallest_fraction * nominal && !report.hopeless)
+      while (pace.increment > smallest_fraction * nominal && report.remedy.empty())
       {
         const double time = target_time(pace.increment);
         if (!pace.velocity.empty() && attempt(time, true))
           return true;
-        if (!report.hopeless && attempt(time, false))
+        if (report.remedy.empty() && attempt(time, false))
           return true;
         pace.increment = 0.5 * std::min(pace.increment, time - last.time);
         pace.easy = 0;
@@ -174,6 +175,12 @@ namespace fe
         break;
       }
       march.accept();
+      outcome.message = course.refused ? course.refused() : "";
+      if (!outcome.message.empty())
+      {
+        outcome.kind = Outcome::Kind::diverged;
+        break;
+      }
     }
     if (course.until_folding && march.finished() && outcome.message.empty() && course.folded())
       outcome.message = "the mesh has folded; the march ends";

@@ -50,6 +50,8 @@ namespace fe
     std::function<void(const Step &)> observe;
     std::function<bool()> folded;      // by the last observed state, more than may be overlooked
     std::function<bool()> interrupted; // the same answer on every process
+    // Why the last observed state is none of this body; empty text or function: it is.
+    std::function<std::string()> refused = {};
   };
 
   struct Outcome

@@ -51,6 +51,13 @@ namespace
       if (first)
         std::cerr << error.what() << '\n';
     }
+    catch (const fe::Stopped &error)
+    {
+      if (first)
+        std::cerr << "fe_reference: " << error.what() << "\nrepeat with: " << parsed.command->joined
+                  << '\n';
+      return record::numerical_trouble;
+    }
     catch (const std::exception &error)
     {
       if (first)

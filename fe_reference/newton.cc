@@ -101,7 +101,7 @@ namespace fe
         const double force = state.external[pin] - state.internal[pin];
         if (std::abs(force) <= limit)
           continue;
-        report.hopeless = true;
+        report.remedy = "a support that takes up the force";
         report.worst_unknown = pin;
         report.trouble = std::string("nothing holds the body in ") + (pin % 2 ? "y" : "x") +
                          ", yet a net force of " + std::to_string(force) + " acts on it";
@@ -169,6 +169,11 @@ namespace fe
       report.trouble = "no equilibrium within " + std::to_string(most_iterations) +
                        " iterations (residual " + std::to_string(report.residuals.back()) +
                        " of the largest force)";
+    }
+    catch (const OutOfMemory &error)
+    {
+      report.trouble = error.what();
+      report.remedy = "fewer [fe] cells, more memory, or more processes (mpirun)";
     }
     catch (const std::runtime_error &error)
     {

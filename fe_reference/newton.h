@@ -20,7 +20,7 @@ namespace fe
     int iterations = 0;
     std::vector<double> residuals; // norms over free unknowns, relative to the force scale
     std::string trouble;           // why not
-    bool hopeless = false;         // whatever the increment: the loads are not in balance
+    std::string remedy;            // where no smaller increment helps; else empty
     int worst_unknown = 0;         // largest out-of-balance force
   };
 

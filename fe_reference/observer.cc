@@ -5,6 +5,8 @@
 #include <iterator>
 #include <sstream>
 
+#include "overlap.h"
+#include "pieces.h"
 #include "scene/geometry.h"
 #include "scene/quantities.h"
 #include "scene/schedule.h"
@@ -64,6 +66,9 @@ namespace fe
       : scene(scene_), problem(problem_), writer(writer_), own(unasked_reactions(scene_)),
         tolerance(1e-9 * scene_.clock.end)
   {
+    const Discretisation &d = problem.mesh;
+    piece = pieces(d.nodes, d.cell_node, d.nodes_per_cell);
+    several_pieces = std::count(piece.begin(), piece.end(), piece.front()) < d.nodes;
     const scene::Box box = scene::bounding_box(scene.bodies);
     default_bin = (box.upper[0] - box.lower[0]) / 20.;
     const auto watch = [this](const scene::Probe &probe)
@@ -94,6 +99,9 @@ namespace fe
   {
     const Stopwatch stopwatch{wall, cpu};
     watch_folding(step);
+    if (several_pieces)
+      overlapping = overlap_of_pieces(problem.mesh, piece, step.state.u);
+    overlap_time = step.state.time;
     energy_row(step);
     std::unique_ptr<Snapshot> body; // only if some probe needs the whole body
     for (const Watch &watch : watches)
@@ -159,6 +167,30 @@ namespace fe
       X += 0.25 * problem.mesh.position[problem.mesh.nodes_of(folds.cell)[a]];
     std::ostringstream text;
     text << "t = " << folds.time << ", cell at X = (" << X[0] << ", " << X[1] << ")";
+    return text.str();
+  }
+
+  std::string Observer::overlap() const
+  {
+    if (!overlapping)
+      return "";
+    std::ostringstream text;
+    text << "bodies lie in each other at t = " << overlap_time << " near x = (" << (*overlapping)[0]
+         << ", " << (*overlapping)[1]
+         << "): fe_reference knows no contact. Remedy: end the scene before they meet, or run it "
+            "with mpm_pf alone";
+    return text.str();
+  }
+
+  std::string Observer::self_overlap(const State &state) const
+  {
+    double smallest = 0.;
+    const std::vector<char> folded = folded_cells(problem, state.u, smallest);
+    const std::optional<Point> at = overlap_with_itself(problem.mesh, piece, state.u, folded);
+    if (!at)
+      return "";
+    std::ostringstream text;
+    text << "near x = (" << (*at)[0] << ", " << (*at)[1] << ")";
     return text.str();
   }
 

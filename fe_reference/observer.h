@@ -43,6 +43,10 @@ namespace fe
     const Folding &folding() const { return folds; }
     /// What was known of folding when the run that goes on here stopped.
     void resume(const Folding &known) { folds = known; }
+    /// Why the last observed state is none: pieces of the body in each other; empty: they are not.
+    std::string overlap() const;
+    /// Where the body lies in itself at the end of this step, as text; empty if it does not.
+    std::string self_overlap(const State &) const;
     double smallest_nodal_jacobian() const { return smallest_nodal; }
     int folded_cells_at_end() const { return folded_now; }
     double wall_seconds() const { return wall; }
@@ -71,6 +75,10 @@ namespace fe
     std::vector<double> events;
     double tolerance, default_bin;
     bool energy_asked = false; // by a probe, at its own times
+    std::vector<int> piece;    // of every node
+    bool several_pieces = false;
+    std::optional<Point> overlapping; // where, in the last observed state
+    double overlap_time = 0.;
     Folding folds;
     double smallest_nodal = 1.;
     int folded_now = 0;

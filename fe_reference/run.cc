@@ -147,6 +147,12 @@ namespace fe
         std::cerr << "fe_reference: the mesh folds at a node from " << observer.first_folding()
                   << "; " << observer.folded_cells_at_end() << " of " << problem.mesh.cells
                   << " cells are marked invalid at the end\n";
+      if (const std::string where = observer.self_overlap(outcome.last); !where.empty())
+      {
+        writer->attribute("self_overlap", where);
+        std::cerr << "fe_reference: the body lies in itself at the end, " << where
+                  << ": there is no contact here, and nothing holds it apart\n";
+      }
       if (!outcome.message.empty())
       {
         writer->attribute("ended_by", outcome.message);
@@ -177,6 +183,7 @@ namespace fe
       { return observer.folded_cells_at_end() > overlooked_folds * problem.mesh.cells; };
       course.interrupted = [&stop_asked]
       { return sum_over_processes(stop_asked() ? 1. : 0.) > 0.; };
+      course.refused = [&observer] { return observer.overlap(); };
       return course;
     }
   } // namespace
@@ -191,62 +198,83 @@ namespace fe
     return record::all_right;
   }
 
+  namespace
+  {
+    // Sets `under_way` once the record is open.
+    int march(const scene::Scene &scene, const record::CommandLine &command,
+              const std::function<bool()> &stop_asked, bool &under_way)
+    {
+      refuse_active_sections(scene);
+      Run run{scene, command};
+      const QuadMesh mesh = make_mesh(scene);
+      const Problem problem = make_problem(scene, mesh, command.threads);
+      if (run.first)
+        std::cerr << banner(scene) << pins(problem) << missing_area(scene, mesh);
+      LinearSystem system(problem.mesh);
+
+      std::optional<Saved> saved;
+      if (command.resume && std::filesystem::exists(run.checkpoint_path()))
+        saved = load(run.checkpoint_path(), scene, problem);
+      run.open_record(saved ? std::optional<double>(saved->state.time) : std::nullopt);
+      under_way = true;
+      Observer observer(scene, problem, run.writer.get());
+      if (saved)
+        observer.resume(saved->folding);
+      run.setup_wall = record::wall_seconds() - run.wall_start;
+      run.setup_cpu = record::cpu_seconds();
+
+      const double begin = saved ? saved->state.time : 0.;
+      record::Progress progress(std::cerr, record::Progress::style_of_stderr(!run.first),
+                                "fe_reference " + scene.title, begin, scene.clock.end);
+      double last_checkpoint = record::wall_seconds();
+      const auto checkpoint = [&](const State &state, const Pace &pace)
+      {
+        if (run.writer)
+          run.writer->flush();
+        save(run.checkpoint_path(), scene, problem, state, pace, observer.folding());
+        last_checkpoint = record::wall_seconds();
+      };
+
+      Course course = make_course(scene, problem, observer, stop_asked);
+      course.observe = [&](const Step &step)
+      {
+        observer.observe(step);
+        progress.update(step.state.time, "step " + std::to_string(step.pace.steps) + ", " +
+                                             std::to_string(step.newton.iterations) +
+                                             " iterations, smallest Jacobian " +
+                                             std::to_string(step.state.smallest_jacobian));
+        const double waited = record::wall_seconds() - last_checkpoint;
+        if (-minimum_over_processes(-waited) > seconds_between_checkpoints)
+          checkpoint(step.state, step.pace);
+      };
+
+      Outcome outcome =
+          saved ? follow(problem, system, std::move(saved->state), course, std::move(saved->pace))
+                : follow(problem, system, initial_state(problem, scene), course);
+      if (outcome.kind == Outcome::Kind::interrupted)
+      {
+        checkpoint(outcome.last, outcome.pace);
+        progress.finish("interrupted; go on with --resume");
+        return record::interrupted;
+      }
+      progress.finish(outcome.kind == Outcome::Kind::complete ? "done" : "failed");
+      return run.conclude(problem, system, observer, outcome);
+    }
+  } // namespace
+
   int run(const scene::Scene &scene, const record::CommandLine &command,
           const std::function<bool()> &stop_asked)
   {
-    refuse_active_sections(scene);
-    Run run{scene, command};
-    const QuadMesh mesh = make_mesh(scene);
-    const Problem problem = make_problem(scene, mesh, command.threads);
-    if (run.first)
-      std::cerr << banner(scene) << pins(problem) << missing_area(scene, mesh);
-    LinearSystem system(problem.mesh);
-
-    std::optional<Saved> saved;
-    if (command.resume && std::filesystem::exists(run.checkpoint_path()))
-      saved = load(run.checkpoint_path(), scene, problem);
-    run.open_record(saved ? std::optional<double>(saved->state.time) : std::nullopt);
-    Observer observer(scene, problem, run.writer.get());
-    if (saved)
-      observer.resume(saved->folding);
-    run.setup_wall = record::wall_seconds() - run.wall_start;
-    run.setup_cpu = record::cpu_seconds();
-
-    const double begin = saved ? saved->state.time : 0.;
-    record::Progress progress(std::cerr, record::Progress::style_of_stderr(!run.first),
-                              "fe_reference " + scene.title, begin, scene.clock.end);
-    double last_checkpoint = record::wall_seconds();
-    const auto checkpoint = [&](const State &state, const Pace &pace)
+    bool under_way = false;
+    try
     {
-      if (run.writer)
-        run.writer->flush();
-      save(run.checkpoint_path(), scene, problem, state, pace, observer.folding());
-      last_checkpoint = record::wall_seconds();
-    };
-
-    Course course = make_course(scene, problem, observer, stop_asked);
-    course.observe = [&](const Step &step)
-    {
-      observer.observe(step);
-      progress.update(step.state.time, "step " + std::to_string(step.pace.steps) + ", " +
-                                           std::to_string(step.newton.iterations) +
-                                           " iterations, smallest Jacobian " +
-                                           std::to_string(step.state.smallest_jacobian));
-      const double waited = record::wall_seconds() - last_checkpoint;
-      if (-minimum_over_processes(-waited) > seconds_between_checkpoints)
-        checkpoint(step.state, step.pace);
-    };
-
-    Outcome outcome =
-        saved ? follow(problem, system, std::move(saved->state), course, std::move(saved->pace))
-              : follow(problem, system, initial_state(problem, scene), course);
-    if (outcome.kind == Outcome::Kind::interrupted)
-    {
-      checkpoint(outcome.last, outcome.pace);
-      progress.finish("interrupted; go on with --resume");
-      return record::interrupted;
+      return march(scene, command, stop_asked, under_way);
     }
-    progress.finish(outcome.kind == Outcome::Kind::complete ? "done" : "failed");
-    return run.conclude(problem, system, observer, outcome);
+    catch (const std::exception &error)
+    {
+      if (!under_way)
+        throw;
+      throw Stopped(error.what());
+    }
   }
 } // namespace fe

@@ -2,18 +2,25 @@
 #pragma once
 
 #include <functional>
+#include <stdexcept>
 
 #include "record/command_line.h"
 #include "scene/scene.h"
 
 namespace fe
 {
+  struct Stopped : std::runtime_error
+  {
+    using std::runtime_error::runtime_error;
+  };
+
   /// Print what a run would take and stop.
   int show_plan(const scene::Scene &, int threads);
 
   /// Returns the exit code: all_right, numerical_trouble (the last good state is in the record) or
   /// interrupted (a checkpoint is beside the unfinished record). `stop_asked`: by a signal to this
-  /// process. Throws scene::BadScene, std::runtime_error for records that cannot be written.
+  /// process. Throws scene::BadScene, std::runtime_error for a record that cannot be opened,
+  /// Stopped for what goes wrong once the run is under way (a disk that is full).
   int run(const scene::Scene &, const record::CommandLine &,
           const std::function<bool()> &stop_asked);
 } // namespace fe

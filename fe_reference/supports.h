@@ -37,7 +37,9 @@ namespace fe
   /// Throws scene::BadScene if a support holds no node.
   Supports make_supports(const scene::Scene &, const Discretisation &);
 
-  /// Displacements `u` (unknowns) with the held ones set to their values at time `t`.
+  /// Displacements `u` (unknowns) with the held ones set to their values at time `t`. One that
+  /// depends on the current x or y takes them from `u`: an increment's are those of its first guess
+  /// (the last velocity carried on, or rest), second order in the increment as the march is.
   std::vector<double> impose(const Supports &, const Discretisation &, std::vector<double> u,
                              double t);
 } // namespace fe
