@@ -37,13 +37,23 @@ namespace
   }
 } // namespace
 
+bool behind_walls(const World &world, const scene::Point &x)
+{
+  if (!world.walls)
+    return false;
+  const auto box = medium::active_box(world.walls->cuts, *world.mesh);
+  const scene::Point slack = 1e-9 * world.mesh->spacing;
+  return (x.array() < (box.lower - slack).array()).any() ||
+         (x.array() > (box.upper + slack).array()).any();
+}
+
 record::LineSample sample_melt(const World &world, std::vector<scene::Point> positions,
                                const std::vector<std::string> &of)
 {
   record::LineSample sample;
   for (const auto &x : positions)
     for (const auto &name : of)
-      sample.values.push_back(value_of(world, name, x));
+      sample.values.push_back(behind_walls(world, x) ? missing : value_of(world, name, x));
   sample.position = std::move(positions);
   return sample;
 }

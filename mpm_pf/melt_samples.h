@@ -4,8 +4,11 @@
 #include "record/writer.h"
 #include "world.h"
 
-/// Bilinear values of `of`, one row per position; NaN outside the mesh and for what the melt does
-/// not know. Velocities are those of an imposed motion.
+/// Is x behind a wall, where nothing is? (The fields go on there for the stencils' sake.)
+bool behind_walls(const World &, const scene::Point &x);
+
+/// Bilinear values of `of`, one row per position; NaN outside the mesh, behind walls and
+/// for what the melt does not know. Velocities are those of an imposed motion.
 record::LineSample sample_melt(const World &, std::vector<scene::Point> positions,
                                const std::vector<std::string> &of);
 

@@ -39,16 +39,11 @@ namespace
   /// Nothing is there: NaN at nodes behind the walls.
   void blank_behind_walls(std::vector<double> &nodes, const World &world)
   {
-    const auto box = medium::active_box(world.walls->cuts, *world.mesh);
     std::size_t n = 0;
     for (int j = 0; j < world.mesh->nodes[1]; ++j)
       for (int i = 0; i < world.mesh->nodes[0]; ++i, ++n)
-      {
-        const scene::Point x = world.mesh->position(i, j);
-        if ((x.array() < box.lower.array() - 1e-9).any() ||
-            (x.array() > box.upper.array() + 1e-9).any())
+        if (behind_walls(world, world.mesh->position(i, j)))
           nodes[n] = std::numeric_limits<double>::quiet_NaN();
-      }
   }
 
   /// Copies the nodes of a field, x fastest.

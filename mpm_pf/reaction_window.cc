@@ -31,11 +31,29 @@ const ReactionWindow::Mark *ReactionWindow::mark_at(const double time) const
 
 std::optional<ReactionWindow::Mean> ReactionWindow::mean(const std::size_t sample) const
 {
-  const Mark *from = mark_at(std::max(0., times[sample] - half));
+  const Mark *from = mark_at(begin_of(sample));
   const Mark *to = mark_at(std::min(end, times[sample] + half));
   if (!from || !to)
     return {};
   return Mean{(from->time + to->time) / 2, (to->impulse - from->impulse) / (to->time - from->time)};
+}
+
+void ReactionWindow::close(const double time)
+{
+  end = time;
+  const std::size_t asked = times.size();
+  while (times.size() > returned && times.back() > end - half / 4)
+    times.pop_back();
+  closed = times.size() < asked;
+  if (closed)
+    times.push_back(end);
+}
+
+double ReactionWindow::begin_of(const std::size_t sample) const
+{
+  // Half a window before an end that nobody foresaw nothing was told; at the sample before it was.
+  const bool unforeseen = closed && sample > 0 && sample + 1 == times.size();
+  return unforeseen ? times[sample - 1] : std::max(0., times[sample] - half);
 }
 
 std::vector<ReactionRow> ReactionWindow::see(const double time, const scene::Point &impulse,

@@ -33,6 +33,10 @@ public:
   std::vector<ReactionRow> see(double time, const scene::Point &impulse,
                                const scene::Point &displacement);
 
+  /// The run ends here, at `time`, before its clock: samples that will not come are dropped, the
+  /// last moment is one, and windows reach to it. see() must be called for it next.
+  void close(double time);
+
   /// For checkpoints: what see() was told and rows still wait for, as flat numbers.
   std::vector<double> state() const;
   void restore(const std::vector<double> &);
@@ -44,6 +48,7 @@ private:
     scene::Point impulse, displacement;
   };
   const Mark *mark_at(double time) const;
+  double begin_of(std::size_t sample) const; // of its window
   /// Mean force of sample k and the centre of its window; empty until its window has passed.
   struct Mean
   {
@@ -56,4 +61,5 @@ private:
   double half, end, tolerance;
   std::vector<Mark> marks;
   std::size_t returned = 0;
+  bool closed = false; // the last sample is an end that was not foreseen
 };

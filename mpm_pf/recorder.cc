@@ -114,6 +114,20 @@ void Recorder::observe_early_end(const World &world)
       observe_probe(*watch.probe, world);
     watch.next = watch.times.size();
   }
+  for (auto &reaction : reactions)
+  {
+    reaction.window.close(world.time);
+    observe_reaction(reaction, world);
+  }
+}
+
+double Recorder::next_compression() const
+{
+  double next = std::numeric_limits<double>::infinity();
+  for (const auto &watch : watches)
+    if (const auto &wanted = watch.probe->compressions; watch.next < wanted.size())
+      next = std::min(next, wanted[watch.next]);
+  return next;
 }
 
 void Recorder::observe_probe(const scene::Probe &probe, const World &world)

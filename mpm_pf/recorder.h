@@ -22,6 +22,9 @@ public:
   /// The next time after `time` at which some probe wants to look; infinity if none does.
   double next_event(double time) const;
 
+  /// The next compression at which some probe wants to look; infinity if none does.
+  double next_compression() const;
+
   /// Record all that is due at world.time. Call it at the start and after every step.
   void observe(const World &);
 

@@ -7,6 +7,7 @@
 #include <omp.h>
 
 #include "accounts.h"
+#include "front_warnings.h"
 #include "inertia.h"
 #include "medium/trouble.h"
 #include "plan.h"
@@ -145,7 +146,8 @@ namespace
     std::string warning = recorder->warning();
     for (const std::string &doubt :
          {warning_on_scaling(world), warning_on_quadrature(world), warning_on_thin_bodies(world),
-          warning_on_idle_walls(world), warning_on_energy(world)})
+          warning_on_idle_walls(world), warning_on_energy(world), warning_on_sides(world),
+          warning_on_areas(world)})
       if (!doubt.empty())
         warning += (warning.empty() ? "" : "; ") + doubt;
     if (!warning.empty())

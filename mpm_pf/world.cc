@@ -88,7 +88,11 @@ namespace
       options.force = force;
       law.diffusivity = scene.heat->diffusivity;
     }
-    const double undercooling = scene.heat ? std::abs(scene.heat->undercooling) : 0.;
+    double undercooling = scene.heat ? std::abs(scene.heat->undercooling) : 0.;
+    if (scene.heat && scene.heat->initial)
+      for (int j = 0; j < world.mesh->nodes[1]; ++j)
+        for (int i = 0; i < world.mesh->nodes[0]; ++i)
+          undercooling = std::max(undercooling, std::abs(world.heat->value(i, j)));
     world.growth = std::make_unique<melt::Growth>(*world.mesh, law, options, undercooling);
     const double limit = world.growth->step_limit();
     if (scene.growth && scene.growth->step && *scene.growth->step > limit && !force)
@@ -214,7 +218,9 @@ namespace
       limit = room / present;
     else if (reference > 0.)
       limit = room / reference;
-    if (!world.scene->growth && (reference <= 0. || present > swing * reference))
+    const bool accelerates = !world.scene->growth || world.scene->body_force;
+    if (accelerates && solid::points(*world.solid) > 0 &&
+        (reference <= 0. || present > swing * reference))
       limit = std::min(limit, steps_from_rest * solid::stable_step(*world.solid));
     return limit;
   }

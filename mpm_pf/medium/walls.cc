@@ -177,6 +177,8 @@ namespace medium
   void touch(Wall &wall, const Walls &walls, const Mesh &mesh, double time)
   {
     wall.touched = time;
+    if (!wall.started && wall.start_distance >= 0.)
+      wall.started = time; // nearer it will not come
     wall.travel_at_touch = wall.travel;
     wall.span_at_touch = span(wall, walls, mesh);
   }
@@ -208,6 +210,20 @@ namespace medium
       if (wall.asked.speed > 0. && wall.travel < wall.asked.travel)
         limit = std::min(limit, fraction * mesh.spacing[wall.axis()] / wall.asked.speed);
     return limit;
+  }
+
+  double compression_rate(const Walls &walls)
+  {
+    double fastest = 0.;
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      double speed = 0., span = 0.;
+      for (const Wall &wall : walls.walls)
+        if (wall.axis() == axis && wall.touched)
+          speed += std::abs(wall.velocity), span = std::max(span, wall.span_at_touch);
+      fastest = std::max(fastest, span > 0. ? speed / span : 0.);
+    }
+    return fastest;
   }
 
   double compression(const Walls &walls)

@@ -127,6 +127,8 @@ namespace medium
   /// Inward travel of all walls of one axis since each first touched, over the span at the first
   /// touch; the larger of both axes. 0 before.
   double compression(const Walls &);
+  /// How fast it grows at the walls' present velocities, 1/time.
+  double compression_rate(const Walls &);
 
   /// State for a checkpoint, exact bits, and back into walls made from the same scene.
   std::vector<double> pack(const Walls &);

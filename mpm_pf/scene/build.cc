@@ -155,7 +155,9 @@ namespace scene
     {
       std::vector<std::string> of_solid, of_melt;
       if (s.solid)
-        of_solid.assign(solid_quantities.begin(), solid_quantities.end());
+        for (const std::string_view name : solid_quantities)
+          if (!s.growth || !needs_a_first_place(name))
+            of_solid.emplace_back(name);
       if (s.phase_field)
         of_melt.emplace_back("phi");
       if (s.heat)
@@ -167,6 +169,8 @@ namespace scene
       for (Probe &probe : s.probes)
       {
         const bool region = std::holds_alternative<RegionProbe>(probe.kind);
+        if (probe.of.empty() && s.growth && std::holds_alternative<SnapshotProbe>(probe.kind))
+          probe.of = of_solid; // the melt's fields are always in it
         if (!probe.of.empty() || !(region || std::holds_alternative<LineProbe>(probe.kind) ||
                                    std::holds_alternative<PointProbe>(probe.kind)))
           continue;

@@ -22,4 +22,10 @@ namespace scene
   {
     return std::find(melt_quantities.begin(), melt_quantities.end(), name) != melt_quantities.end();
   }
+
+  /// Is it measured from where the material was at the start? Material that grew has its own start.
+  inline bool needs_a_first_place(const std::string_view quantity)
+  {
+    return quantity.substr(0, 10) == "log_strain";
+  }
 } // namespace scene

@@ -54,6 +54,8 @@ namespace scene
         {"Noise on a domain with symmetry sides is mirrored.", noise_respects_symmetry},
         {"A crystal on symmetry sides is its own mirror image: its angle is a multiple of 45.",
          crystal_fits_symmetry},
+        {"Supports and tractions are of bodies that stand at the start, not of what grows.",
+         loads_do_not_grow},
         {"Heat beside a solid is carried by it, which takes a phase field.", heat_is_carried},
         // Expressions
         {"An expression is a finite number wherever and whenever it is used.",

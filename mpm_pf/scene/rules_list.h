@@ -39,6 +39,7 @@ namespace scene
   void noise_respects_symmetry(const Inspection &);
   void crystal_fits_symmetry(const Inspection &);
   void heat_is_carried(const Inspection &);
+  void loads_do_not_grow(const Inspection &);
 
   // rules_probes.cc
   void probes_look_inside(const Inspection &);

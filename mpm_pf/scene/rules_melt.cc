@@ -195,4 +195,17 @@ namespace scene
                   "the solid across phi = 0, and there is no [phase_field]",
                   "[phase_field] beside [solid] and [heat]", "add [phase_field]");
   }
+
+  void loads_do_not_grow(const Inspection &in)
+  {
+    if (!in.present("growth"))
+      return;
+    for (const auto *list : {&in.draft.supports, &in.draft.tractions})
+      for (const Value *at : *list)
+        in.complain(*at,
+                    "a support or traction beside [growth]: a crystal has no material points and "
+                    "no outline of its own before something moves it",
+                    "[[wall]], or a scene without [growth]",
+                    "press it by walls, or start a body from the record's contour (record = ...)");
+  }
 } // namespace scene

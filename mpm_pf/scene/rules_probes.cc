@@ -136,6 +136,12 @@ namespace scene
                             "the quantity \"" + of[k] + "\" needs [" + modules.front() + "]",
                             "quantities of the modules that are on",
                             "add [" + modules.front() + "], or leave the quantity out");
+        else if (in.present("growth") && needs_a_first_place(of[k]))
+          in.complaints.add(item_or_whole(*list, k),
+                            "\"" + of[k] +
+                                "\" of a growing crystal: what grew has no place in "
+                                "the first configuration to be strained from",
+                            "plastic_strain, jacobian, or the stresses", "leave it out");
         else if (std::holds_alternative<RegionProbe>(in.scene().probes[i].kind))
           check_of_region(of[k], item_or_whole(*list, k), in);
       }

@@ -227,7 +227,7 @@ namespace solid
       {
         const Point X = fraction.initial(points, p);
         if (bodies.size() > 1 && scene::signed_distance(body, X) <
-                                     scene::signed_distance(bodies, X) - 1e-12 * (1. + X.norm()))
+                                     scene::signed_distance(bodies, X) - 1e-9 * h)
           continue;
         const scene::Argument at{X, X, 0.};
         points.vx[p] = vx(at), points.vy[p] = vy(at);

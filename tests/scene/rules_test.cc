@@ -233,6 +233,14 @@ reaction = "top"
             {"heat_that_nothing_carries",
              plus(bar, "[heat]\ndiffusivity = 1\nundercooling = 0.5\n"), "[heat]",
              "no [phase_field]"},
+            {"support_of_a_growing_crystal",
+             plus(seed, "[solid]\nyoung_modulus = 1\npoisson_ratio = 0\ndensity = 1\n[[support]]\n"
+                        "region = {lower = [1, 1], upper = [3, 3]}\ndisplacement = [0, 0]\n"),
+             "[[support]]", "beside [growth]"},
+            {"strain_of_a_growing_crystal",
+             plus(seed, "[solid]\nyoung_modulus = 1\npoisson_ratio = 0\ndensity = 1\n"
+                        "[[probe]]\nname = \"p\"\nat = [1, 1]\nof = [\"log_strain_xx\"]\n"),
+             "of = ", "no place in the first configuration"},
             {"step_twice",
              with(seed, "anisotropy = 0.05", "anisotropy = 0.05\nstep = 0.01\nstep_fraction = 0.5"),
              "step", "exclude each other"}};

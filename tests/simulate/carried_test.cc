@@ -254,3 +254,24 @@ TEST(Orientation, AQuarterGrowsAsTheWholeDoes)
   }
   EXPECT_LT(apart(quarter.phase->value, whole.phase->value), 1e-11);
 }
+
+// Before it moves nothing tells how fast it will be; its steps must let it fall.
+TEST(Growth, ACrystalThatFallsTakesItsFrontAlong)
+{
+  scene::Scene scene = marker(32., 40, scene::Disc{{8., 16.}, 5.}, 1.);
+  scene.growth = scene::Growth{};
+  scene.heat = scene::Heat{};
+  scene.heat->diffusivity = 3., scene.heat->undercooling = 0.3;
+  scene.solid = scene::Solid{};
+  scene.solid->young_modulus = 1e3, scene.solid->poisson_ratio = 0.3, scene.solid->density = 1.;
+  scene.mpm = scene::Mpm{};
+  scene.body_force = scene::BodyForce{};
+  scene.body_force->acceleration[0] = text_of("2");
+  scene.clock.end = 4.;
+  World world = build_world(scene, 1);
+  wake_solid(world);
+  const double start = centre(world);
+  while (world.time < 4. * (1. - 1e-12)) // no probe cuts the steps
+    step(world, std::min(coupling_step(world), 4. - world.time));
+  EXPECT_NEAR(centre(world) - start, 16., 0.4);
+}

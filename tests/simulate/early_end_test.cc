@@ -74,6 +74,38 @@ TEST(EarlyEnd, CompressionCountsFromTheFirstContactWithAndWithoutAPhaseField)
   }
 }
 
+TEST(EarlyEnd, CompressionsAreSeenWhenTheyAreReached)
+{
+  const auto folder =
+      std::filesystem::temp_directory_path() / ("compressions_" + std::to_string(getpid()));
+  std::filesystem::create_directories(folder);
+  std::string text = walled;
+  text.replace(text.find("every = 2.0"), 11, "compressions = [0.013, 0.031]");
+  std::ofstream(folder / "scene.toml") << text;
+  const scene::Scene scene = scene::read_scene((folder / "scene.toml").string(), {});
+  World world = build_world(scene, 1);
+  record::Writer writer((folder / "record.h5").string(), record::collect("test", "test", 1), scene,
+                        true);
+  Recorder recorder(scene, writer);
+  double wanted = recorder.next_compression(), before = 0.;
+  int seen = 0;
+  ASSERT_TRUE(simulate(world, recorder,
+                       [&](const World &w)
+                       {
+                         const double now = medium::compression(*w.walls);
+                         if (recorder.next_compression() != wanted)
+                         {
+                           EXPECT_NEAR(now, wanted, 2e-3 * wanted) << "from " << before;
+                           wanted = recorder.next_compression(), ++seen;
+                         }
+                         before = now;
+                         return true;
+                       }));
+  EXPECT_EQ(seen, 2);
+  writer.finish({});
+  std::filesystem::remove_all(folder);
+}
+
 TEST(EarlyEnd, AWallThatWouldStartAfterItIsRefused)
 {
   const std::string path = ::testing::TempDir() + "late_" + std::to_string(getpid()) + ".toml";

@@ -36,6 +36,32 @@ TEST(ReactionWindow, IsExactForALinearForceUpToBothEnds)
   }
 }
 
+// Walls may end a run between two samples; the last moment counts then, by the same rule.
+TEST(ReactionWindow, ReachesToWhereTheRunEndsEarly)
+{
+  const auto impulse = [](double t) { return 3. * t + 2. * t * t; };
+  for (const double stop : {0.6, 0.66, 0.75, 0.8})
+  {
+    ReactionWindow window({0., 0.25, 0.5, 0.75, 1.}, 0.125, 1.);
+    std::vector<double> events;
+    for (const double t : window.events())
+      if (t <= stop)
+        events.push_back(t);
+    auto rows = rows_of(window, events, impulse);
+    window.close(stop);
+    for (const auto &row : window.see(stop, Point(impulse(stop), 0.), Point(0., 2. * stop)))
+      rows.push_back(row);
+    ASSERT_FALSE(rows.empty());
+    EXPECT_EQ(rows.back().time, stop);
+    for (std::size_t k = 0; k < rows.size(); ++k)
+    {
+      EXPECT_NEAR(rows[k].force[0], 3. + 4. * rows[k].time, 1e-12) << stop;
+      EXPECT_DOUBLE_EQ(rows[k].displacement[1], 2. * rows[k].time);
+      EXPECT_EQ(rows[k].time, k + 1 < rows.size() ? 0.25 * k : stop) << "none is left out";
+    }
+  }
+}
+
 TEST(ReactionWindow, AveragesRingingAway)
 {
   const double ring = 2. * std::acos(-1.) / 0.25; // one period in the window
