@@ -1,4 +1,4 @@
-#include "medium/walls.h"
+#include "tall_mesh.h"
 
 #include <cmath>
 
@@ -11,13 +11,6 @@ namespace medium
 {
   namespace
   {
-    Mesh tall_mesh(int cells_x, int cells_y)
-    {
-      scene::Domain domain;
-      domain.size = {cells_x * 0.4, cells_y * 0.4}, domain.cells = {cells_x, cells_y};
-      return make_mesh(domain);
-    }
-
     scene::Wall piston(Edge side, double speed, double travel)
     {
       scene::Wall wall;
@@ -147,133 +140,6 @@ namespace medium
     }
     EXPECT_LT(error[2], 1e-3);
     EXPECT_GT(0.5 * std::log2(error[0] / error[2]), 1.7);
-  }
-
-  TEST(Walls, WithAContactRampStopAtTheFrontAndStartOnceMoreFromRest)
-  {
-    const Mesh mesh = tall_mesh(8, 100); // 40 high
-    scene::Wall asked;
-    asked.side = Edge::top, asked.speed = 0.5, asked.travel = 20., asked.ramp = 4.;
-    asked.contact_ramp = 8.;
-    asked.start_distance = 8.;
-    Walls walls = make_walls({asked}, mesh);
-    Field<double> phi(mesh);
-    for (int j = 0; j < mesh.nodes[1]; ++j)
-      for (int i = 0; i < mesh.nodes[0]; ++i)
-        phi(i, j) = std::tanh((33. - 0.4 * j) / std::sqrt(2.));
-    const Wall &wall = walls.walls[0];
-    double fastest_before = 0., speed = 0.;
-    for (int step = 0; step < 2000 && wall.travel < asked.travel; ++step)
-    {
-      const bool touched_before = wall.touched.has_value();
-      fill_behind(phi, walls.cuts, mesh);
-      watch(walls, phi, mesh, 0.05 * step);
-      move(walls, 0.05 * step, 0.05, mesh);
-      settle(walls, mesh, {{&phi, nullptr, nullptr}});
-      if (!wall.touched)
-        fastest_before = std::max(fastest_before, -wall.velocity);
-      else if (!touched_before)
-      {
-        EXPECT_LT(-wall.velocity, 1e-4 * asked.speed) << "it starts from rest";
-      }
-      else
-      {
-        EXPECT_LE(std::abs(-wall.velocity - speed), 0.5 * 1.5 / 8. * 0.05 + 1e-9);
-      }
-      speed = -wall.velocity;
-    }
-    EXPECT_NEAR(fastest_before, asked.speed, 1e-12);
-    ASSERT_TRUE(wall.touched);
-    EXPECT_NEAR(wall.travel, asked.travel, 1e-12);
-    EXPECT_NEAR(wall.travel_at_touch, 7., 0.4);
-  }
-
-  TEST(Walls, StartAtADistanceBelowACell)
-  {
-    const Mesh mesh = tall_mesh(8, 100);
-    scene::Wall asked;
-    asked.side = Edge::top, asked.speed = 0.5, asked.travel = 20., asked.start_distance = 0.1;
-    Walls walls = make_walls({asked}, mesh);
-    Field<double> phi(mesh);
-    double front = 39.;
-    for (; !walls.walls[0].started && front < 40.; front += 0.01)
-    {
-      for (int j = 0; j < mesh.nodes[1]; ++j)
-        for (int i = 0; i < mesh.nodes[0]; ++i)
-          phi(i, j) = std::tanh((front - 0.4 * j) / std::sqrt(2.));
-      watch(walls, phi, mesh, front);
-    }
-    EXPECT_NEAR(40. - front, 0.1, 0.06); // the wall's own line sees phi = 0 by a parabola
-  }
-
-  TEST(Walls, PushedBeforeTheirTimeWaitForIt)
-  {
-    const Mesh mesh = tall_mesh(8, 100);
-    scene::Wall asked;
-    asked.side = Edge::top, asked.speed = 0.5, asked.travel = 20.;
-    asked.start_time = 2., asked.contact_ramp = 0.2;
-    Walls walls = make_walls({asked}, mesh);
-    for (int step = 0; step < 60; ++step)
-    {
-      const double time = 0.05 * step;
-      watch(walls, time);
-      if (step == 10)
-        touch(walls.walls[0], walls, mesh, time);
-      move(walls, time, 0.05, mesh);
-      const double now = time + 0.05;
-      EXPECT_NEAR(walls.walls[0].travel, now <= 2. ? 0. : 0.5 * (now - 2.), 0.5 * 0.1 + 1e-12)
-          << "at " << now;
-      if (now <= 2.)
-      {
-        EXPECT_EQ(walls.walls[0].travel, 0.);
-      }
-      settle(walls, mesh, {});
-    }
-    EXPECT_NEAR(walls.walls[0].travel, 0.5 * (3. - 2. - 0.1), 1e-9);
-  }
-
-  TEST(Walls, StartNearTheFrontRampUpAndNoteTheFirstContact)
-  {
-    const Mesh mesh = tall_mesh(8, 100); // 40 high
-    scene::Wall asked;
-    asked.side = Edge::top, asked.speed = 0.5, asked.travel = 20., asked.ramp = 4.;
-    asked.start_distance = 8.;
-    Walls walls = make_walls({asked}, mesh);
-    Field<double> phi(mesh);
-    double touched_position = 0., before = 0.;
-    for (int step = 0; step < 2000; ++step)
-    {
-      const double time = 0.05 * step, front = 25. + 0.2 * time; // rises with 0.2
-      for (int j = 0; j < mesh.nodes[1]; ++j)
-        for (int i = 0; i < mesh.nodes[0]; ++i)
-          phi(i, j) = std::tanh((front - 0.4 * j) / std::sqrt(2.));
-      fill_behind(phi, walls.cuts, mesh);
-      const Wall &wall = walls.walls[0];
-      const bool was_at_rest = !wall.started;
-      watch(walls, phi, mesh, time);
-      if (was_at_rest && wall.started)
-      {
-        EXPECT_NEAR(front, 32., 0.02);
-      }
-      if (wall.touched && touched_position == 0.)
-        touched_position = wall.position - front;
-      move(walls, time, 0.05, mesh);
-      settle(walls, mesh, {});
-      if (wall.travel >= asked.travel)
-        break;
-      EXPECT_LE(-wall.velocity, 0.5 + 1e-12);
-      EXPECT_LE(std::abs(wall.velocity - before), 0.5 * 1.5 / 4. * 0.05 + 1e-9); // smooth ramp
-      before = wall.velocity;
-    }
-    EXPECT_NEAR(touched_position, 0., 0.4);
-    const Wall &wall = walls.walls[0];
-    EXPECT_NEAR(compression(walls), (20. - wall.travel_at_touch) / (40. - wall.travel_at_touch),
-                1e-12);
-    EXPECT_GT(wall.travel_at_touch, 1.);
-
-    Walls resumed = make_walls({asked}, mesh);
-    unpack(resumed, pack(walls));
-    EXPECT_EQ(pack(resumed), pack(walls));
   }
 
   TEST(Walls, AdvectWhatRestsOnThemAlongWithThem)
