@@ -163,6 +163,20 @@ class Programs(unittest.TestCase):
             self.assertAlmostEqual(file["tables/energy/time"][-1], load, places=9)
         self.assertEqual([n for n in os.listdir(os.path.join(self.folder, "crushed")) if n.endswith(".part")], [])
 
+    def test_trouble_under_way_is_no_bad_input(self):
+        # Its checkpoint cannot be written: a folder stands there.
+        scene = self.scene(steps=3000)
+        os.makedirs(self.path("stuck", "fe_reference.checkpoint.h5.part"))
+        process = subprocess.Popen(self.command(scene, "stuck"), env=ENVIRONMENT, stdout=subprocess.DEVNULL,
+                                   stderr=subprocess.PIPE, text=True)
+        while process.poll() is None and not os.path.exists(self.path("stuck", "fe_reference.h5.part")):
+            time.sleep(0.01)
+        time.sleep(0.2)
+        process.send_signal(signal.SIGTERM)
+        text = process.communicate(timeout=600)[1]
+        self.assertEqual(process.returncode, 3, text)
+        self.assertIn("repeat with", text)
+
     def test_bad_scene_ends_with_two_and_leaves_no_record(self):
         scene = self.scene(cells="-4, 8")
         code, text = self.run_to_end(self.command(scene, "bad"))
