@@ -12,18 +12,26 @@ namespace solid
         packed.insert(packed.end(),
                       {support.impulse[0], support.impulse[1], support.call_impulse[0],
                        support.call_impulse[1], support.displacement[0], support.displacement[1]});
+      for (const HeldLine &line : supports.lines)
+        packed.insert(packed.end(), line.stuck.begin(), line.stuck.end());
       return packed;
     }
 
     void unpack(const std::vector<double> &packed, Supports &supports)
     {
-      if (packed.size() != 3 + 6 * supports.all.size())
+      std::size_t size = 3 + 6 * supports.all.size();
+      for (const HeldLine &line : supports.lines)
+        size += line.stuck.size();
+      if (packed.size() != size)
         throw std::runtime_error("the checkpoint has other supports than the scene");
       supports.work = packed[0], supports.work_done = packed[1], supports.speed = packed[2];
       const double *next = &packed[3];
       for (Support &support : supports.all)
         for (Point *value : {&support.impulse, &support.call_impulse, &support.displacement})
           (*value)[0] = *next++, (*value)[1] = *next++;
+      for (HeldLine &line : supports.lines)
+        for (std::uint8_t &one : line.stuck)
+          one = static_cast<std::uint8_t>(*next++);
     }
 
     std::vector<double> pack(const Grid &grid)

@@ -72,8 +72,23 @@ namespace solid
       return X;
     }
 
-    void hold_line(Supports &supports, const HeldLine &line, const Fold &fold, Grid &grid,
-                   const double t, const double dt, const bool book)
+    /// Does another line hold node (i, j) = n across itself, which is along `line`?
+    bool crossed(const Supports &supports, const HeldLine &line, const Grid &grid, const int i,
+                 const int j, const std::ptrdiff_t n)
+    {
+      if (grid.fold[n] == 0)
+        return false;
+      const int along = 1 - line.axis, l = supports.folds.pairs[grid.fold[n] - 1][along];
+      if (l < 0 || !supports.lines[l].held[along] ||
+          (along == 0 ? i : j) != supports.folds.lines[l].carrier())
+        return false;
+      const HeldLine &other = supports.lines[l];
+      return !other.contact ||
+             touches(other, supports.folds.lines[l], grid, i, j, n, Point(0., 0.));
+    }
+
+    void hold_line(Supports &supports, HeldLine &line, const Fold &fold, Grid &grid, const double t,
+                   const double dt, const bool book)
     {
       Support *const support = line.support < 0 ? nullptr : &supports.all[line.support];
       const bool uniform = !support || support->motion.uniform;
@@ -81,6 +96,7 @@ namespace solid
       if (support && uniform)
         v = (support->motion.at(v, v, t + dt) - support->motion.at(v, v, t)) / dt;
       supports.speed = std::max(supports.speed, v.norm());
+      std::vector<std::uint8_t> stuck(book ? line.stuck.size() : 0, 0);
       for_nodes_along(line, grid, fold.carrier(), line.reach,
                       [&](const int i, const int j, const std::ptrdiff_t n)
                       {
@@ -91,9 +107,19 @@ namespace solid
                           const Point X = origin(support->motion, x, t);
                           v = (support->motion.at(X, x, t + dt) - support->motion.at(X, x, t)) / dt;
                         }
-                        if (!line.contact || touches(line, fold, grid, i, j, n, v))
-                          give(supports, support, grid, n, line.held, v, book);
+                        const std::size_t along = (line.axis == 0 ? j : i) + HeldLine::margin;
+                        const bool sticks = along < line.stuck.size() && line.stuck[along];
+                        if (line.contact && !touches(line, fold, grid, i, j, n, v, sticks))
+                          return;
+                        if (along < stuck.size())
+                          stuck[along] = 1;
+                        std::array<bool, 2> held = line.held;
+                        if (held[1 - line.axis] && crossed(supports, line, grid, i, j, n))
+                          held[1 - line.axis] = false; // the other's push is not ours to undo
+                        give(supports, support, grid, n, held, v, book);
                       });
+      if (book)
+        line.stuck.swap(stuck);
     }
 
     // What a rigid grip takes beyond what its sides do, as that of driven points (driven.cc).

@@ -68,10 +68,13 @@ namespace solid
     int side = 1;                            // +1: material at larger coordinates
     double initial = 0., from = 0., to = 0.; // position and extent at the start
     std::array<bool, 2> held{true, true};
-    std::uint32_t bit = 0;                        // of the tracers whose extent an edge has, or 0
-    std::array<double, 2> overhang{0., 0.};       // and so far beyond the first and the last
-    std::array<double, 2> reach{3., 3.};          // cells beyond its ends in which nodes are held
-    bool contact = false;                         // a wall: holds only what touches it, see walls.h
+    std::uint32_t bit = 0;                  // of the tracers whose extent an edge has, or 0
+    std::array<double, 2> overhang{0., 0.}; // and so far beyond the first and the last
+    std::array<double, 2> reach{3., 3.};    // cells beyond its ends in which nodes are held
+    bool contact = false;                   // a wall: holds only what touches it, see walls.h
+    std::vector<std::uint8_t> stuck;        // of a wall that grips: node by node along it, and
+                                            // `margin` beyond: did it hold in the last step?
+    static constexpr int margin = 8;
     double position = 0., lower = 0., upper = 0.; // position and extent now
   };
 

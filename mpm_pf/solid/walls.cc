@@ -15,6 +15,8 @@ namespace solid
     // give it. Half of it would be met a quarter of a cell too early, a fifth of the work lost in
     // closing that gap; all of it would never be met by points that lie unevenly.
     constexpr double touching = 0.9;
+    // What sticks to a wall is let go only where this part is left: it may be pulled.
+    constexpr double parting = 0.5;
 
     int axis_of(const Edge side)
     {
@@ -64,6 +66,8 @@ namespace solid
       line.held = {true, true};
       if (wall.grip == scene::WallGrip::slip)
         line.held[1 - line.axis] = false;
+      else
+        line.stuck.assign(domain.cells[1 - line.axis] + 1 + 2 * HeldLine::margin, 0);
       return line;
     }
   } // namespace
@@ -111,7 +115,7 @@ namespace solid
   }
 
   bool touches(const HeldLine &line, const Fold &fold, const Grid &grid, const int i, const int j,
-               const std::ptrdiff_t n, const Point &v)
+               const std::ptrdiff_t n, const Point &v, const bool sticks)
   {
     const int inner_i = i + (line.axis == 0 ? line.side : 0);
     const int inner_j = j + (line.axis == 1 ? line.side : 0);
@@ -120,7 +124,7 @@ namespace solid
     const Full full = full_masses(fold, grid.lower[line.axis], grid.dx);
     const double carrier = grid.mass[n];
     const double master = grid.mass[grid.at(inner_i, inner_j)];
-    if (carrier * full.master < touching * master * full.carrier)
+    if (carrier * full.master < (sticks ? parting : touching) * master * full.carrier)
       return false;
     const Velocity &now = grid.velocity[n];
     const double along = line.axis == 0 ? now.x : now.y;

@@ -13,7 +13,8 @@
 //   m_c/m_M >= 0.9 (M_c/M_M),   M = integral of the folded function over the inner side;
 // half of it would be met over a gap of a third of a cell. Sideways, at the rim of a contact, both
 // masses fall alike. Only such nodes are held: with grip in both directions ("a dendrite grows onto
-// the wall"), with slip across the wall only, and only against moving into it. A point that gets
+// the wall"), with slip across the wall only, and only against moving into it. What a wall grips
+// it holds until half of that mass is left, so that it may be pulled. A point that gets
 // past a wall nevertheless is put back onto it, and takes its velocity; that momentum counts in the
 // reaction.
 #pragma once
@@ -27,9 +28,9 @@ namespace solid
   void add_walls(Supports &, const scene::Scene &);
 
   /// Does node (i, j) = n on the carrier row of a wall's line touch material, and with slip, would
-  /// it move into the wall? v: of the wall.
+  /// it move into the wall? v: of the wall; sticks: it was held in the last step.
   bool touches(const HeldLine &, const Fold &, const Grid &, int i, int j, std::ptrdiff_t n,
-               const Point &v);
+               const Point &v, bool sticks = false);
 
   /// Bounds for the points over the step that ends at t: the domain up to the walls.
   void bound_by_walls(const Supports &, double t, Point &lower, Point &upper);

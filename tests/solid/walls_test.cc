@@ -174,6 +174,28 @@ TEST(Walls, GrippingOnesHoldSidewaysAndPull)
   EXPECT_GT(pull.force(Edge::top), 0.8 * 0.002 * plane_strain_modulus(pull.solid));
 }
 
+// So do those that came up to the block: what touches a wall sticks to it.
+TEST(Walls, GrippingOnesPullAtWhatTheyHaveCaught)
+{
+  for (const double bottom : {0.5, 0.47, 0.44})
+  {
+    Press press(block(scene::WallGrip::grip, {0.5, bottom}));
+    press.close(bottom, bottom + 1.12);
+    press.move(150., 300,
+               [&](const Edge side, const double s)
+               {
+                 if (side == Edge::bottom)
+                   return bottom;
+                 return bottom + (s < 0.6 ? 1.12 - 0.13 * smooth(s / 0.6)
+                                          : 0.99 + 0.06 * smooth((s - 0.6) / 0.4));
+               });
+    // Caught at 1, or up to a fraction of a cell earlier, then pulled to 1.05.
+    const double pull = press.force(Edge::top) / plane_strain_modulus(press.solid);
+    EXPECT_GT(pull, 0.035) << bottom;
+    EXPECT_LT(pull, 0.055) << bottom;
+  }
+}
+
 // A wall that comes from afar presses as if it had started where the block ends: the offset of the
 // force in terms of travel stays below an eighth of a cell, and little work is lost in between.
 TEST(Walls, ComingFromAfarPressAsFromContact)
