@@ -126,7 +126,7 @@ namespace fe
       if (auto *mumps = dynamic_cast<Amesos_Mumps *>(&solver))
       {
         const int code = mumps->GetINFO()[0], global = mumps->GetINFOG()[0];
-        for (const int short_of_memory : {-7, -8, -9, -11, -13, -14, -15, -17, -18, -19, -20})
+        for (const int short_of_memory : {-7, -13, -19})
           if (code == short_of_memory || global == short_of_memory)
             throw OutOfMemory("MUMPS ran out of memory for the factors of the tangent (its code " +
                               std::to_string(short_of_memory) + ")");

@@ -59,7 +59,8 @@ namespace fe
     // Pins one node of every piece in every direction in which no support holds the piece.
     void pin_floating_directions(const Discretisation &d, Supports &supports)
     {
-      const std::vector<int> piece = pieces(d.nodes, d.cell_node, d.nodes_per_cell);
+      const std::vector<int> &piece = supports.piece =
+          pieces(d.nodes, d.cell_node, d.nodes_per_cell);
       std::map<int, std::vector<int>> nodes_of;
       for (int n = 0; n < d.nodes; ++n)
         nodes_of[piece[n]].push_back(n);

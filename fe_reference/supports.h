@@ -30,6 +30,7 @@ namespace fe
     std::vector<char> is_held; // unknowns
     std::string pinned;        // directions pinned so, as text; empty: none
     std::vector<int> pins;     // unknowns
+    std::vector<int> piece;    // of each node (pieces.h)
 
     bool all_held() const;
   };

@@ -177,11 +177,12 @@ void move_solid_alone(World &w, const double dt)
 namespace
 {
   /// Where the velocity is the displacement over a whole coupling step, material that is squeezed
-  /// out ahead of a fast wall may cross more cells than a scheme can carry at once.
+  /// out ahead of a fast wall may cross more cells than a scheme can carry at once; so may a jet of
+  /// an unsteady motion that is narrower than the nodes at which it was looked at ahead.
   long carrying_steps(const World &w, const double dt)
   {
-    if (!w.extension)
-      return 1; // an imposed motion is cut as the scene asks
+    if (w.imposed && w.imposed->steady())
+      return 1; // it is cut as the scene asks
     const auto scheme = w.advection->scheme();
     const double shift = dt * medium::crossing_rate(*w.velocity, *w.mesh);
     const double allowed = 0.9 * medium::largest_shift(scheme);

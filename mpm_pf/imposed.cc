@@ -37,13 +37,13 @@ namespace
 
 Imposed::Imposed(const scene::Imposed &imposed)
     : component{scene::Function(imposed.velocity[0]), scene::Function(imposed.velocity[1])},
-      steady(!component[0].depends_on_time() && !component[1].depends_on_time())
+      is_steady(!component[0].depends_on_time() && !component[1].depends_on_time())
 {
 }
 
 void Imposed::write(const double time, const medium::Mesh &mesh, medium::Velocity &velocity)
 {
-  if (steady && written)
+  if (is_steady && written)
     return;
   write_component(component[0], time, mesh, velocity.x);
   write_component(component[1], time, mesh, velocity.y);
@@ -58,10 +58,12 @@ double Imposed::crossing_rate(const double time, const medium::Mesh &mesh) const
   for (std::size_t axis = 0; axis < 2; ++axis)
   {
     const bool uniform = !component[axis].depends_on_position();
-    for (int j = 0; j < mesh.nodes[1]; j += uniform ? mesh.nodes[1] : stride)
-      for (int i = 0; i < mesh.nodes[0]; i += uniform ? mesh.nodes[0] : stride)
+    for (int j = 0; j < mesh.nodes[1] - 1 + stride; j += uniform ? mesh.nodes[1] + stride : stride)
+      for (int i = 0; i < mesh.nodes[0] - 1 + stride;
+           i += uniform ? mesh.nodes[0] + stride : stride)
       {
-        const scene::Point x = mesh.position(i, j);
+        const scene::Point x =
+            mesh.position(std::min(i, mesh.nodes[0] - 1), std::min(j, mesh.nodes[1] - 1));
         fastest = std::max(fastest, std::abs(component[axis]({x, x, time})) /
                                         mesh.spacing[static_cast<int>(axis)]);
       }
@@ -73,16 +75,16 @@ double Imposed::step(const double time, const double longest, const double end,
                      const double fraction, const medium::Mesh &mesh) const
 {
   constexpr double least_steps = 200.; // an unsteady motion is resolved by this many at least
-  double length = std::min(longest, steady ? end : end / least_steps);
+  double length = std::min(longest, is_steady ? end : end / least_steps);
   for (;;)
   {
-    double fastest = steady ? rate : 0.;
-    for (int quarter = 0; quarter <= 4 && !steady; ++quarter)
+    double fastest = is_steady ? rate : 0.;
+    for (int quarter = 0; quarter <= 4 && !is_steady; ++quarter)
       fastest = std::max(fastest, crossing_rate(time + 0.25 * quarter * length, mesh));
     if (fastest * length <= fraction)
       return length;
     refuse_singular(fraction / fastest, end);
-    if (steady)
+    if (is_steady)
       return fraction / fastest;
     length = std::max(0.999 * fraction / fastest, 0.5 * length);
   }

@@ -20,8 +20,10 @@ public:
 
   /// Does what was written last move anything?
   bool moves() const { return rate > 0.; }
+  /// Does it not depend on time?
+  bool steady() const { return is_steady; }
   /// May anything move at some time?
-  bool ever_moves() const { return !steady || rate > 0.; }
+  bool ever_moves() const { return !is_steady || rate > 0.; }
 
   /// The longest step from `time` on, at most `longest`, in which the motion crosses no more than
   /// `fraction` of a cell along an axis, in a run that lasts until `end`. A function of its
@@ -34,7 +36,7 @@ private:
   double crossing_rate(double time, const medium::Mesh &) const;
 
   std::array<scene::Function, 2> component;
-  bool steady;
+  bool is_steady;
   bool written = false;
   double rate = 0.; // of what was written last: cells crossed per unit time along an axis
 };

@@ -37,23 +37,29 @@ namespace
   }
 } // namespace
 
-bool behind_walls(const World &world, const scene::Point &x)
+BetweenWalls::BetweenWalls(const World &world)
+    : lower(scene::Point::Constant(-std::numeric_limits<double>::infinity())), upper(-lower)
 {
   if (!world.walls)
-    return false;
+    return;
   const auto box = medium::active_box(world.walls->cuts, *world.mesh);
   const scene::Point slack = 1e-9 * world.mesh->spacing;
-  return (x.array() < (box.lower - slack).array()).any() ||
-         (x.array() > (box.upper + slack).array()).any();
+  lower = box.lower - slack, upper = box.upper + slack;
+}
+
+bool BetweenWalls::holds(const scene::Point &x) const
+{
+  return (x.array() >= lower.array()).all() && (x.array() <= upper.array()).all();
 }
 
 record::LineSample sample_melt(const World &world, std::vector<scene::Point> positions,
                                const std::vector<std::string> &of)
 {
   record::LineSample sample;
+  const BetweenWalls between(world);
   for (const auto &x : positions)
     for (const auto &name : of)
-      sample.values.push_back(behind_walls(world, x) ? missing : value_of(world, name, x));
+      sample.values.push_back(between.holds(x) ? value_of(world, name, x) : missing);
   sample.position = std::move(positions);
   return sample;
 }

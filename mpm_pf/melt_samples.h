@@ -4,8 +4,17 @@
 #include "record/writer.h"
 #include "world.h"
 
-/// Is x behind a wall, where nothing is? (The fields go on there for the stencils' sake.)
-bool behind_walls(const World &, const scene::Point &x);
+/// What lies between the walls. Behind them is nothing, though the fields go on there for the
+/// stencils' sake.
+class BetweenWalls
+{
+public:
+  explicit BetweenWalls(const World &);
+  bool holds(const scene::Point &x) const;
+
+private:
+  scene::Point lower, upper; // a billionth of a cell wider
+};
 
 /// Bilinear values of `of`, one row per position; NaN outside the mesh, behind walls and
 /// for what the melt does not know. Velocities are those of an imposed motion.

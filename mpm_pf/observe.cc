@@ -39,10 +39,11 @@ namespace
   /// Nothing is there: NaN at nodes behind the walls.
   void blank_behind_walls(std::vector<double> &nodes, const World &world)
   {
+    const BetweenWalls between(world);
     std::size_t n = 0;
     for (int j = 0; j < world.mesh->nodes[1]; ++j)
       for (int i = 0; i < world.mesh->nodes[0]; ++i, ++n)
-        if (behind_walls(world, world.mesh->position(i, j)))
+        if (!between.holds(world.mesh->position(i, j)))
           nodes[n] = std::numeric_limits<double>::quiet_NaN();
   }
 

@@ -1,8 +1,6 @@
 #include "simulate.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 #include "coupling.h"
 
@@ -26,23 +24,6 @@ void step(World &w, const double dt)
   ++w.steps;
 }
 
-namespace
-{
-  /// Until the walls that press have compressed the solid by so much at their present speed, or at
-  /// the speed asked for if that is yet to come; infinity if it is far or nothing is pressed.
-  double time_to_compression(const World &w, const double wanted)
-  {
-    if (!w.walls || !std::isfinite(wanted))
-      return std::numeric_limits<double>::infinity();
-    const double now = medium::compression(*w.walls), rate = medium::compression_rate(*w.walls);
-    if (!(rate > 0.) || now >= wanted)
-      return std::numeric_limits<double>::infinity();
-    // Just beyond it, and never so near to it that the run stands still.
-    constexpr double least = 1e-4;
-    return std::max((wanted - now) / rate, least * wanted / rate);
-  }
-} // namespace
-
 bool simulate(World &world, Recorder &recorder, const std::function<bool(const World &)> &look)
 {
   const double end = world.scene->clock.end;
@@ -54,8 +35,9 @@ bool simulate(World &world, Recorder &recorder, const std::function<bool(const W
   while (!finished(world))
   {
     const double event = std::min(recorder.next_event(world.time), end);
-    const double free =
-        std::min(coupling_step(world), time_to_compression(world, recorder.next_compression()));
+    double free = coupling_step(world);
+    if (world.walls)
+      free = std::min(free, medium::time_to_compression(*world.walls, recorder.next_compression()));
     const bool lands = event - world.time <= free * (1. + 1e-9);
     step(world, lands ? event - world.time : free);
     if (lands)

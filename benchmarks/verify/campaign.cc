@@ -138,7 +138,8 @@ namespace verify
     job.expect_exit = run.expect_exit;
     const std::string program = places.solver(run.solver);
     job.unavailable = !fs::exists(program);
-    std::string identity = hash_of_scene(c.folder + "/" + run.scene) + hash_of_file(program);
+    std::string identity =
+        hash_of_scene(c.folder + "/" + run.scene, run.set) + hash_of_file(program);
     for (const auto &argument : job.command.arguments)
       identity += " " + argument;
     job.hash = hash_of(identity);

@@ -51,13 +51,17 @@ namespace verify
     /// The times must reach both ends of the stretch, to their own widest spacing.
     void refuse_short(const std::vector<double> &times, const double from, const double to)
     {
+      if (times.empty())
+        return;
       double spacing = 0.;
       for (std::size_t i = 1; i < times.size(); ++i)
-        spacing = std::max(spacing, times[i] - times[i - 1]);
+        spacing = std::max(spacing, std::abs(times[i] - times[i - 1]));
       spacing *= 1. + 1e-9;
-      if (!times.empty() && (times.front() > from + spacing || times.back() < to - spacing))
+      const auto [first, last] = std::minmax_element(times.begin(), times.end());
+      const bool asked_once = times.size() == 1 && *first >= from && *first <= to;
+      if (!asked_once && (*first > from + spacing || *last < to - spacing))
         throw MissingData(fmt::format("short: recorded from time {} to {}, wanted from {} to {}",
-                                      times.front(), times.back(), from, to));
+                                      *first, *last, from, to));
     }
 
     Curve finite_part(const Curve &curve)

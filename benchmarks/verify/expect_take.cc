@@ -61,9 +61,10 @@ namespace verify
         section.complain("", "a snapshot needs `reduce`: max, min, mean, ...");
       for (const char *along : {"slope", "integral", "ripple"})
         if (take.kind == Kind::snapshot && take.reduce == along)
-          section.complain("reduce", fmt::format("`{}` is along a line or over time; a snapshot has "
-                                                 "no abscissa",
-                                                 along));
+          section.complain("reduce",
+                           fmt::format("`{}` is along a line or over time; a snapshot has "
+                                       "no abscissa",
+                                       along));
       if (take.of.empty() &&
           (take.kind == Kind::table || take.kind == Kind::line || take.kind == Kind::snapshot))
         section.complain("", "the take does not say which quantity: `of` is missing");
@@ -89,8 +90,8 @@ namespace verify
 
     bool gives_curve(const Take &take)
     {
-      return take.reduce.empty() && (take.kind == Take::Kind::line ||
-                                     (take.kind == Take::Kind::table && take.at.empty()));
+      return take.reduce.empty() &&
+             (take.kind == Take::Kind::line || (take.kind == Take::Kind::table && take.at.empty()));
     }
 
     void check_norm(Section &section, const Check &check)

@@ -45,6 +45,23 @@ namespace verify
 
   namespace
   {
+    void gather(const std::filesystem::path &, std::set<std::filesystem::path> &, std::string &);
+
+    /// Every file that the text names in quotes, beside `folder`.
+    void gather_named(const std::string &text, const std::filesystem::path &folder,
+                      std::set<std::filesystem::path> &seen, std::string &all)
+    {
+      static const std::regex quoted(R"re("([^"\n]+)"|'([^'\n]+)')re");
+      for (std::sregex_iterator i(text.begin(), text.end(), quoted), end; i != end; ++i)
+      {
+        const std::string name = (*i)[1].matched ? (*i)[1].str() : (*i)[2].str();
+        std::error_code ignored; // a title is no file name and may be too long for one
+        const auto file = (folder / name).lexically_normal();
+        if (std::filesystem::is_regular_file(file, ignored))
+          gather(file, seen, all);
+      }
+    }
+
     /// The text of the scene and of every file that it names in quotes (includes, outlines,
     /// records), each once.
     void gather(const std::filesystem::path &path, std::set<std::filesystem::path> &seen,
@@ -54,25 +71,19 @@ namespace verify
         return;
       const std::string text = content(path);
       all += text;
-      if (path.extension() != ".toml")
-        return;
-      static const std::regex quoted(R"re("([^"\n]+)"|'([^'\n]+)')re");
-      for (std::sregex_iterator i(text.begin(), text.end(), quoted), end; i != end; ++i)
-      {
-        const std::string name = (*i)[1].matched ? (*i)[1].str() : (*i)[2].str();
-        std::error_code ignored; // a title is no file name and may be too long for one
-        const auto file = (path.parent_path() / name).lexically_normal();
-        if (std::filesystem::is_regular_file(file, ignored))
-          gather(file, seen, all);
-      }
+      if (path.extension() == ".toml")
+        gather_named(text, path.parent_path(), seen, all);
     }
   } // namespace
 
-  std::string hash_of_scene(const std::string &path)
+  std::string hash_of_scene(const std::string &path, const std::vector<std::string> &set)
   {
+    const auto scene = std::filesystem::path(path).lexically_normal();
     std::set<std::filesystem::path> seen;
     std::string all;
-    gather(std::filesystem::path(path).lexically_normal(), seen, all);
+    gather(scene, seen, all);
+    for (const std::string &text : set)
+      gather_named(text, scene.parent_path(), seen, all);
     return hash_of(all);
   }
 

@@ -52,8 +52,8 @@ namespace verify
   /// read).
   std::string hash_of(const std::string &text);
   std::string hash_of_file(const std::string &path);
-  /// Hash of a scene file and of all it includes.
-  std::string hash_of_scene(const std::string &path);
+  /// Hash of a scene file and of all files that it, or the overrides `set`, name in quotes.
+  std::string hash_of_scene(const std::string &path, const std::vector<std::string> &set = {});
 
   /// The command with shell quoting.
   std::string shell(const std::vector<std::string> &arguments);

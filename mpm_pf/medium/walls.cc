@@ -212,18 +212,25 @@ namespace medium
     return limit;
   }
 
-  double compression_rate(const Walls &walls)
+  double time_to_compression(const Walls &walls, const double wanted)
   {
-    double fastest = 0.;
+    double soonest = std::numeric_limits<double>::infinity();
     for (int axis = 0; axis < 2; ++axis)
     {
-      double speed = 0., span = 0.;
+      double travel = 0., speed = 0., span = 0.;
       for (const Wall &wall : walls.walls)
         if (wall.axis() == axis && wall.touched)
-          speed += std::abs(wall.velocity), span = std::max(span, wall.span_at_touch);
-      fastest = std::max(fastest, span > 0. ? speed / span : 0.);
+        {
+          travel += wall.travel - wall.travel_at_touch;
+          span = std::max(span, wall.span_at_touch);
+          if (wall.started && wall.travel < wall.asked.travel)
+            speed += wall.asked.speed;
+        }
+      const double left = wanted * span - travel;
+      if (left > 0. && speed > 0.)
+        soonest = std::min(soonest, std::max(left, 1e-4 * wanted * span) / speed);
     }
-    return fastest;
+    return soonest;
   }
 
   double compression(const Walls &walls)

@@ -127,8 +127,9 @@ namespace medium
   /// Inward travel of all walls of one axis since each first touched, over the span at the first
   /// touch; the larger of both axes. 0 before.
   double compression(const Walls &);
-  /// How fast it grows at the walls' present velocities, 1/time.
-  double compression_rate(const Walls &);
+  /// Time until it is `wanted` if the walls that press go at the speed asked for; infinity if none
+  /// does, or if it is so already. Never so short that a run would stand still before it.
+  double time_to_compression(const Walls &, double wanted);
 
   /// State for a checkpoint, exact bits, and back into walls made from the same scene.
   std::vector<double> pack(const Walls &);

@@ -66,7 +66,8 @@ namespace scene
            strong_undercooling_has_kinetics},
           {"The first temperature does not depend on t.", first_temperature_is_fixed},
           {"Noise on a domain with symmetry sides is mirrored.", noise_respects_symmetry},
-          {"A crystal on symmetry sides is its own mirror image: its angle is a multiple of 45.",
+          {"A crystal that a symmetry side cuts is its own mirror image: its angle is a multiple "
+           "of 45.",
            crystal_fits_symmetry},
           {"Supports and tractions are of bodies that stand at the start, not of what grows.",
            loads_do_not_grow},

@@ -3,6 +3,7 @@
 
 #include "scene/choices.h"
 #include "scene/expression.h"
+#include "scene/geometry.h"
 #include "scene/rules_list.h"
 
 namespace scene
@@ -173,18 +174,28 @@ namespace scene
 
   void crystal_fits_symmetry(const Inspection &in)
   {
-    if (!in.scene().orientation || !in.scene().growth || !sound(in, "orientation"))
+    if (!in.scene().orientation || !in.scene().growth || !sound(in, "orientation") ||
+        !in.geometry_known)
       return;
-    const auto &boundary = in.scene().domain.boundary;
+    const Domain &domain = in.scene().domain;
     const double eighths = in.scene().orientation->angle_degrees / 45.;
-    if (std::find(boundary.begin(), boundary.end(), Boundary::symmetry) == boundary.end() ||
-        std::abs(eighths - std::nearbyint(eighths)) < 1e-9)
+    const Box box = bounding_box(in.scene().bodies);
+    const double slack = 1e-6 * domain.spacing().minCoeff();
+    const auto cut = [&](const Edge side, const double beyond)
+    {
+      return domain.boundary[static_cast<std::size_t>(side)] == Boundary::symmetry &&
+             beyond > -slack;
+    };
+    const bool whole = !cut(Edge::left, domain.lower[0] - box.lower[0]) &&
+                       !cut(Edge::bottom, domain.lower[1] - box.lower[1]) &&
+                       !cut(Edge::right, box.upper[0] - domain.upper()[0]) &&
+                       !cut(Edge::top, box.upper[1] - domain.upper()[1]);
+    if (whole || std::abs(eighths - std::nearbyint(eighths)) < 1e-9)
       return;
     in.complain(in.at("orientation", "angle_degrees"),
                 "a crystal at " + number_text(in.scene().orientation->angle_degrees) +
-                    " degrees on a symmetry side: its mirror image is tilted the other way",
-                "a multiple of 45 degrees, or the whole domain",
-                "make the sides no_flux and grow the whole crystal");
+                    " degrees, cut by a symmetry side: its mirror image is tilted the other way",
+                "a multiple of 45 degrees, or the whole crystal", "grow the whole crystal");
   }
 
   void heat_is_carried(const Inspection &in)

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "scene/choices.h"
+#include "scene/expression.h"
 #include "scene/geometry.h"
 #include "scene/rules_list.h"
 
@@ -108,6 +109,28 @@ namespace scene
       return ((both.upper - both.lower).array() > tolerance).all() && holds_material(both, bodies);
     }
 
+    // Do two displacements have the same values, in whatever words?
+    bool same_motion(const Expression &a, const Expression &b, const Inspection &in)
+    {
+      if (a.text == b.text)
+        return true;
+      if (!in.geometry_known || in.complaints.about(*in.draft.root.find("support")))
+        return false;
+      const Function first(a), second(b);
+      const Box box = bounding_box(in.scene().bodies);
+      double largest = 0., apart = 0.;
+      for (const double s : {0., 0.37, 1.})
+        for (const double r : {0., 0.59, 1.})
+          for (int k = 0; k <= 8; ++k)
+          {
+            const Point X = box.lower + Point(s, r).cwiseProduct(box.upper - box.lower);
+            const Argument at{X, X, in.scene().clock.end * k / 8.};
+            largest = std::max({largest, std::abs(first(at)), std::abs(second(at))});
+            apart = std::max(apart, std::abs(first(at) - second(at)));
+          }
+      return apart <= 1e-12 * largest;
+    }
+
     // Do two places have more than a corner of the outline, or than a side of a box, in common?
     bool share_material(const Where &a, const Where &b, const Inspection &in)
     {
@@ -122,8 +145,10 @@ namespace scene
       for (const Polyline &line : outline(scene.bodies, scene.domain, size / 400.))
         for (std::size_t k = 0; k < line.size(); ++k)
         {
-          const Point X = 0.5 * (line[k] + line[(k + 1) % line.size()]);
-          if (contains(a, box, X, tolerance) && contains(b, box, X, tolerance))
+          const Point &next = line[(k + 1) % line.size()];
+          const auto in_both = [&](const Point &X)
+          { return contains(a, box, X, tolerance) && contains(b, box, X, tolerance); };
+          if (in_both(line[k]) && in_both(next)) // a point alone may be where one ends
             return true;
         }
       return false;
@@ -151,7 +176,8 @@ namespace scene
           const auto &a = supports[i].displacement[d], &b = supports[j].displacement[d];
           if (a && b &&
               (same_place(supports[i].where, supports[j].where) ||
-               (a->text != b->text && share_material(supports[i].where, supports[j].where, in))))
+               (!same_motion(*a, *b, in) &&
+                share_material(supports[i].where, supports[j].where, in))))
             in.complain(*in.draft.supports[i],
                         "\"" + supports[i].name + "\" and \"" + supports[j].name +
                             "\" hold the same component of the same place",

@@ -72,6 +72,40 @@ namespace solid
       return X;
     }
 
+    /// The velocity of a support that moves as a whole.
+    Point velocity_of(const Support *support, const double t, const double dt)
+    {
+      const Point zero(0., 0.);
+      return support ? Point((support->motion.at(zero, zero, t + dt) -
+                              support->motion.at(zero, zero, t)) /
+                             dt)
+                     : zero;
+    }
+
+    /// Notes what each wall touches, before any line gives its nodes another velocity.
+    void note_touched(Supports &supports, const Grid &grid, const double t, const double dt,
+                      const bool book)
+    {
+      for (std::size_t l = 0; l < supports.lines.size(); ++l)
+      {
+        HeldLine &line = supports.lines[l];
+        if (!line.contact)
+          continue;
+        const Fold &fold = supports.folds.lines[l];
+        const Point v = velocity_of(&supports.all[line.support], t, dt);
+        std::fill(line.touched.begin(), line.touched.end(), 0);
+        for_nodes_along(line, grid, fold.carrier(), line.reach,
+                        [&](const int i, const int j, const std::ptrdiff_t n)
+                        {
+                          const std::size_t k = line.index(i, j);
+                          const bool sticks = !line.stuck.empty() && line.stuck[k];
+                          line.touched[k] = touches(line, fold, grid, i, j, n, v, sticks);
+                        });
+        if (book && !line.stuck.empty())
+          line.stuck = line.touched;
+      }
+    }
+
     /// Does another line hold node (i, j) = n across itself, which is along `line`?
     bool crossed(const Supports &supports, const HeldLine &line, const Grid &grid, const int i,
                  const int j, const std::ptrdiff_t n)
@@ -83,20 +117,16 @@ namespace solid
           (along == 0 ? i : j) != supports.folds.lines[l].carrier())
         return false;
       const HeldLine &other = supports.lines[l];
-      return !other.contact ||
-             touches(other, supports.folds.lines[l], grid, i, j, n, Point(0., 0.));
+      return !other.contact || other.touched[other.index(i, j)];
     }
 
-    void hold_line(Supports &supports, HeldLine &line, const Fold &fold, Grid &grid, const double t,
-                   const double dt, const bool book)
+    void hold_line(Supports &supports, const HeldLine &line, const Fold &fold, Grid &grid,
+                   const double t, const double dt, const bool book)
     {
       Support *const support = line.support < 0 ? nullptr : &supports.all[line.support];
       const bool uniform = !support || support->motion.uniform;
-      Point v = Point::Zero();
-      if (support && uniform)
-        v = (support->motion.at(v, v, t + dt) - support->motion.at(v, v, t)) / dt;
+      Point v = uniform ? velocity_of(support, t, dt) : Point(0., 0.);
       supports.speed = std::max(supports.speed, v.norm());
-      std::vector<std::uint8_t> stuck(book ? line.stuck.size() : 0, 0);
       for_nodes_along(line, grid, fold.carrier(), line.reach,
                       [&](const int i, const int j, const std::ptrdiff_t n)
                       {
@@ -107,19 +137,13 @@ namespace solid
                           const Point X = origin(support->motion, x, t);
                           v = (support->motion.at(X, x, t + dt) - support->motion.at(X, x, t)) / dt;
                         }
-                        const std::size_t along = (line.axis == 0 ? j : i) + HeldLine::margin;
-                        const bool sticks = along < line.stuck.size() && line.stuck[along];
-                        if (line.contact && !touches(line, fold, grid, i, j, n, v, sticks))
+                        if (line.contact && !line.touched[line.index(i, j)])
                           return;
-                        if (along < stuck.size())
-                          stuck[along] = 1;
                         std::array<bool, 2> held = line.held;
                         if (held[1 - line.axis] && crossed(supports, line, grid, i, j, n))
                           held[1 - line.axis] = false; // the other's push is not ours to undo
                         give(supports, support, grid, n, held, v, book);
                       });
-      if (book)
-        line.stuck.swap(stuck);
     }
 
     // What a rigid grip takes beyond what its sides do, as that of driven points (driven.cc).
@@ -203,6 +227,7 @@ namespace solid
       hold_driven(supports, grid, book);
     if (!supports.edges.empty())
       hold_edges(supports, grid, t, dt, book);
+    note_touched(supports, grid, t, dt, book);
     for (std::size_t l = 0; l < supports.lines.size(); ++l)
       hold_line(supports, supports.lines[l], supports.folds.lines[l], grid, t, dt, book);
   }

@@ -72,10 +72,12 @@ namespace solid
     std::array<double, 2> overhang{0., 0.}; // and so far beyond the first and the last
     std::array<double, 2> reach{3., 3.};    // cells beyond its ends in which nodes are held
     bool contact = false;                   // a wall: holds only what touches it, see walls.h
-    std::vector<std::uint8_t> stuck;        // of a wall that grips: node by node along it, and
-                                            // `margin` beyond: did it hold in the last step?
+    // Of a wall, node by node along it and `margin` beyond:
+    std::vector<std::uint8_t> touched; // does it hold now?
+    std::vector<std::uint8_t> stuck;   // did it in the last step, if it grips
     static constexpr int margin = 8;
     double position = 0., lower = 0., upper = 0.; // position and extent now
+    std::size_t index(const int i, const int j) const { return (axis == 0 ? j : i) + margin; }
   };
 
   /// A node near a turning edge as the edge sees it.

@@ -66,8 +66,9 @@ namespace solid
       line.held = {true, true};
       if (wall.grip == scene::WallGrip::slip)
         line.held[1 - line.axis] = false;
-      else
-        line.stuck.assign(domain.cells[1 - line.axis] + 1 + 2 * HeldLine::margin, 0);
+      line.touched.assign(domain.cells[1 - line.axis] + 1 + 2 * HeldLine::margin, 0);
+      if (line.held[1 - line.axis])
+        line.stuck = line.touched;
       return line;
     }
   } // namespace

@@ -67,3 +67,21 @@ TEST(Supports, PinsLetLoadsInBalancePass)
   const fe::Problem problem = fe_test::problem_of(scene);
   EXPECT_EQ(fe_test::solve(scene, problem).kind, fe::Outcome::Kind::complete);
 }
+
+// Two loads that balance on the drawing: on edges that stretch unlike they balance to 5e-4 only.
+TEST(Supports, PinsLetLoadsPassThatBalanceAsDrawn)
+{
+  scene::Scene scene = fe_test::solid_scene(1e7, {22, 20}, 1, 1);
+  scene.bodies = {fe_test::rectangle(0., 0., 0.5, 1.), fe_test::rectangle(0.5, 0., 0.5, 0.5)};
+  scene.supports = {fe_test::support("bottom", scene::Edge::bottom, "", "0")};
+  for (const scene::Edge edge : {scene::Edge::left, scene::Edge::right})
+  {
+    scene::Traction load;
+    load.where = edge;
+    load.traction = {fe_test::expression(edge == scene::Edge::left ? "-0.5e5*t" : "1e5*t"),
+                     fe_test::expression("0")};
+    scene.tractions.push_back(load);
+  }
+  const fe::Problem problem = fe_test::problem_of(scene);
+  EXPECT_EQ(fe_test::solve(scene, problem).kind, fe::Outcome::Kind::complete);
+}

@@ -52,3 +52,18 @@ TEST(HashOfAScene, EndsWhereScenesIncludeEachOther)
   scene.w.write("scene.toml", "include = \"a.toml\"\n");
   EXPECT_TRUE(scene.follows("a.toml"));
 }
+
+TEST(HashOfAScene, KnowsTheFilesThatOverridesName)
+{
+  const Scene scene;
+  scene.w.write("a.csv", "0,0\n");
+  scene.w.write("scene.toml", "title = \"t\"\n");
+  const auto hash = [&]
+  {
+    return verify::hash_of_scene((scene.w.root / "scene.toml").string(),
+                                 {"body.1.file='a.csv'", "clock.end=1"});
+  };
+  const std::string before = hash();
+  scene.w.write("a.csv", "1,0\n");
+  EXPECT_NE(hash(), before);
+}
