@@ -37,7 +37,8 @@ bool simulate(World &world, Recorder &recorder, const std::function<bool(const W
     const double event = std::min(recorder.next_event(world.time), end);
     double free = coupling_step(world);
     if (world.walls)
-      free = std::min(free, medium::time_to_compression(*world.walls, recorder.next_compression()));
+      free =
+          medium::time_to_compression(*world.walls, world.time, recorder.next_compression(), free);
     const bool lands = event - world.time <= free * (1. + 1e-9);
     step(world, lands ? event - world.time : free);
     if (lands)

@@ -212,23 +212,40 @@ namespace medium
     return limit;
   }
 
-  double time_to_compression(const Walls &walls, const double wanted)
+  namespace
   {
-    double soonest = std::numeric_limits<double>::infinity();
-    for (int axis = 0; axis < 2; ++axis)
+    /// Inward travel since their first touch of the walls of one axis, as it will be at `time`.
+    double pressed_at(const Walls &walls, const int axis, const double time)
     {
-      double travel = 0., speed = 0., span = 0.;
+      double travel = 0.;
       for (const Wall &wall : walls.walls)
         if (wall.axis() == axis && wall.touched)
-        {
-          travel += wall.travel - wall.travel_at_touch;
+          travel += std::max(wall.travel, travel_at(wall, time)) - wall.travel_at_touch;
+      return travel;
+    }
+  } // namespace
+
+  double time_to_compression(const Walls &walls, const double time, const double wanted,
+                             const double longest)
+  {
+    double soonest = longest;
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      double span = 0.;
+      for (const Wall &wall : walls.walls)
+        if (wall.axis() == axis && wall.touched)
           span = std::max(span, wall.span_at_touch);
-          if (wall.started && wall.travel < wall.asked.travel)
-            speed += wall.asked.speed;
-        }
-      const double left = wanted * span - travel;
-      if (left > 0. && speed > 0.)
-        soonest = std::min(soonest, std::max(left, 1e-4 * wanted * span) / speed);
+      const double goal = wanted * span;
+      if (span <= 0. || pressed_at(walls, axis, time) >= goal * (1. - 1e-9) ||
+          pressed_at(walls, axis, time + soonest) < goal)
+        continue;
+      double before = 0., after = soonest; // of the moment, where the goal is not reached and is
+      while (after - before > 1e-9 * soonest)
+      {
+        const double middle = 0.5 * (before + after);
+        (pressed_at(walls, axis, time + middle) < goal ? before : after) = middle;
+      }
+      soonest = after;
     }
     return soonest;
   }

@@ -127,9 +127,9 @@ namespace medium
   /// Inward travel of all walls of one axis since each first touched, over the span at the first
   /// touch; the larger of both axes. 0 before.
   double compression(const Walls &);
-  /// Time until it is `wanted` if the walls that press go at the speed asked for; infinity if none
-  /// does, or if it is so already. Never so short that a run would stand still before it.
-  double time_to_compression(const Walls &, double wanted);
+  /// Time from `time` on until it is `wanted`, at most `longest`: `longest` if that is further
+  /// away, or reached already.
+  double time_to_compression(const Walls &, double time, double wanted, double longest);
 
   /// State for a checkpoint, exact bits, and back into walls made from the same scene.
   std::vector<double> pack(const Walls &);

@@ -49,6 +49,26 @@ TEST(Places, ABoxDoesNotMoveApartFromTheEdgeInIt)
   EXPECT_EQ(complaints_of(bar + grip + "[\"0.4*t\", \"free\"]\n"), "");
 }
 
+TEST(Places, OfSupportsMayMeetInAPoint)
+{
+  // The top of the bar reaches from (2, 2.2) to (3, 2.2): a box over its left half, a segment over
+  // its right half.
+  const std::string halves =
+      with(bar, "on = \"top\"", "segment = [[2.5, 2.2], [3.0, 2.2]]") +
+      "[[support]]\nname = \"left half\"\nregion = {lower = [1.9, 2.0], upper = [2.5, 2.3]}\n"
+      "displacement = [\"0.7*t\", \"free\"]\n";
+  EXPECT_EQ(complaints_of(halves).find(same), std::string::npos) << complaints_of(halves);
+}
+
+TEST(Places, OfSupportsMaySayTheSameInOtherWords)
+{
+  std::string alike = with_boxes("{lower = [1.9, 1.0], upper = [2.6, 1.4]}",
+                                 "{lower = [2.5, 1.0], upper = [3.1, 1.4]}");
+  EXPECT_NE(complaints_of(alike).find(same), std::string::npos);
+  alike.replace(alike.find("0.2*t"), 5, "t/10.");
+  EXPECT_EQ(complaints_of(alike).find(same), std::string::npos);
+}
+
 TEST(Places, AnEdgeIsNotCutOffByASymmetrySide)
 {
   const std::string cut =
