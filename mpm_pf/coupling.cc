@@ -181,10 +181,11 @@ namespace
   /// an unsteady motion that is narrower than the nodes at which it was looked at ahead.
   long carrying_steps(const World &w, const double dt)
   {
-    if (w.imposed && w.imposed->steady())
-      return 1; // it is cut as the scene asks
     const auto scheme = w.advection->scheme();
     const double shift = dt * medium::crossing_rate(*w.velocity, *w.mesh);
+    const double asked = w.scene->advection ? w.scene->advection->step_fraction : 0.2;
+    if (w.imposed && (w.imposed->steady() || shift <= asked * (1. + 1e-6)))
+      return 1; // as the scene asks
     const double allowed = 0.9 * medium::largest_shift(scheme);
     // A motion that cannot be meant is left for advect() to refuse.
     constexpr double most = 64.;

@@ -51,41 +51,68 @@ void Imposed::write(const double time, const medium::Mesh &mesh, medium::Velocit
   written = true;
 }
 
-double Imposed::crossing_rate(const double time, const medium::Mesh &mesh) const
+template <class Look>
+void Imposed::look_at(const medium::Mesh &mesh, Look &&look) const
 {
   constexpr int stride = 4;
-  double fastest = 0.;
   for (std::size_t axis = 0; axis < 2; ++axis)
   {
     const bool uniform = !component[axis].depends_on_position();
-    for (int j = 0; j < mesh.nodes[1] - 1 + stride; j += uniform ? mesh.nodes[1] + stride : stride)
-      for (int i = 0; i < mesh.nodes[0] - 1 + stride;
-           i += uniform ? mesh.nodes[0] + stride : stride)
-      {
-        const scene::Point x =
-            mesh.position(std::min(i, mesh.nodes[0] - 1), std::min(j, mesh.nodes[1] - 1));
-        fastest = std::max(fastest, std::abs(component[axis]({x, x, time})) /
-                                        mesh.spacing[static_cast<int>(axis)]);
-      }
+    const int columns = uniform ? 1 : mesh.nodes[0], rows = uniform ? 1 : mesh.nodes[1];
+    for (int j = 0; j < rows - 1 + stride; j += stride)
+      for (int i = 0; i < columns - 1 + stride; i += stride)
+        look(axis, mesh.position(std::min(i, columns - 1), std::min(j, rows - 1)));
   }
+}
+
+double Imposed::crossing_rate(const double time, const medium::Mesh &mesh) const
+{
+  double fastest = 0.;
+  look_at(mesh,
+          [&](const std::size_t axis, const scene::Point &x)
+          {
+            fastest = std::max(fastest, std::abs(component[axis]({x, x, time})) /
+                                            mesh.spacing[static_cast<int>(axis)]);
+          });
   return fastest;
+}
+
+bool Imposed::rests(const double time, const double length, const double spacing,
+                    const medium::Mesh &mesh) const
+{
+  const int looks = std::max(4, static_cast<int>(std::ceil(length / spacing)));
+  bool same = true;
+  look_at(mesh,
+          [&](const std::size_t axis, const scene::Point &x)
+          {
+            const double now = component[axis]({x, x, time});
+            for (int k = 1; k <= looks && same; ++k)
+              same = component[axis]({x, x, time + k * length / looks}) == now;
+          });
+  return same;
 }
 
 double Imposed::step(const double time, const double longest, const double end,
                      const double fraction, const medium::Mesh &mesh) const
 {
-  constexpr double least_steps = 200.; // an unsteady motion is resolved by this many at least
-  double length = std::min(longest, is_steady ? end : end / least_steps);
+  constexpr double least_steps = 200.; // a motion that changes is resolved by this many at least
+  const double now = is_steady ? rate : crossing_rate(time, mesh);
+  double length = std::min(longest, end);
+  if (now * length > fraction)
+    length = fraction / now;
+  if (now > 0.)
+    refuse_singular(fraction / now, end);
+  if (is_steady || rests(time, length, 0.25 * end / least_steps, mesh))
+    return length;
+  length = std::min(longest, end / least_steps);
   for (;;)
   {
-    double fastest = is_steady ? rate : 0.;
-    for (int quarter = 0; quarter <= 4 && !is_steady; ++quarter)
+    double fastest = 0.;
+    for (int quarter = 0; quarter <= 4; ++quarter)
       fastest = std::max(fastest, crossing_rate(time + 0.25 * quarter * length, mesh));
     if (fastest * length <= fraction)
       return length;
     refuse_singular(fraction / fastest, end);
-    if (is_steady)
-      return fraction / fastest;
     length = std::max(0.999 * fraction / fastest, 0.5 * length);
   }
 }

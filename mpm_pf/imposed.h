@@ -27,13 +27,18 @@ public:
 
   /// The longest step from `time` on, at most `longest`, in which the motion crosses no more than
   /// `fraction` of a cell along an axis, in a run that lasts until `end`. A function of its
-  /// arguments alone, so that a run that was interrupted goes on with the same steps. Of an
-  /// unsteady motion the fastest moment of the step counts (five are looked at, on every fourth
-  /// node). Throws medium::NumericalTrouble if the run would stand still.
+  /// arguments alone, so that a run that was interrupted goes on with the same steps. While the
+  /// motion changes it is resolved by 1/200 of the run at least, and the fastest of five moments of
+  /// the step counts. Every fourth node is looked at. Throws medium::NumericalTrouble if the run
+  /// would stand still.
   double step(double time, double longest, double end, double fraction, const medium::Mesh &) const;
 
 private:
+  template <class Look>
+  void look_at(const medium::Mesh &, Look &&) const; // look(axis, x) at every fourth node
   double crossing_rate(double time, const medium::Mesh &) const;
+  /// Is it the same all through a step of `length`, looked at every `spacing` of time?
+  bool rests(double time, double length, double spacing, const medium::Mesh &) const;
 
   std::array<scene::Function, 2> component;
   bool is_steady;

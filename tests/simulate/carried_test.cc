@@ -102,6 +102,26 @@ TEST(Imposed, APulseBetweenTwoLooksIsSeen)
   EXPECT_NEAR(centre(world) - before, 0.1, 0.004); // a step straddles each end of the pulse
 }
 
+TEST(Imposed, AMotionThatRestsBetweenItsChangesTakesTheStepsAsked)
+{
+  const scene::Scene scene =
+      carried(marker(1., 40, scene::Disc{{0.4, 0.5}, 0.15}, 0.03), "t < 0.5 ? 1 : -1", "0", 1.);
+  World world = build_world(scene, 1);
+  EXPECT_NEAR(coupling_step(world), 0.2 / 40., 1e-12);
+  EXPECT_LT(run_to(world, 0.4), 82);
+}
+
+// Narrower than the distance of the nodes that are looked at ahead.
+TEST(Imposed, ANarrowJetIsCarriedInParts)
+{
+  scene::Scene scene = carried(marker(1., 64, scene::Disc{{0.3, 0.53}, 0.15}, 0.03),
+                               "(1 + 0.1*sin(t))*exp(-((Y - 0.53125)/0.012)^2)", "0", 10.);
+  scene.domain.boundary.fill(scene::Boundary::periodic);
+  World world = build_world(scene, 1);
+  EXPECT_GT(coupling_step(world) * 64., 0.5) << "cells";
+  EXPECT_NO_THROW(run_to(world, 0.2));
+}
+
 TEST(Imposed, AnInterruptedRunGoesOnWithTheSameSteps)
 {
   const scene::Scene scene = carried(marker(2., 80, scene::Disc{{0.5, 1.}, 0.2}, 0.03),
