@@ -57,3 +57,15 @@ TEST(Quadrature, IsDoubtedInBodiesThinnerThanTwoCells)
   EXPECT_NE(about(0.25).find("\"strip\" is about 0.97 cells wide"), std::string::npos);
   EXPECT_EQ(about(0.75), "");
 }
+
+TEST(Quadrature, TakesAQuarterForTheWholeBodyThatItStandsFor)
+{
+  const std::string path = ::testing::TempDir() + "quarter_" + std::to_string(getpid());
+  std::ofstream(path) << "[domain]\nsize = [2.0, 2.0]\ncells = [8, 8]\nboundary = \"symmetry\"\n"
+                         "[[body]]\nname = \"disc\"\nshape = \"disc\"\ncentre = [0.0, 0.0]\n"
+                         "radius = 0.6\n[solid]\nyoung_modulus = 1e3\npoisson_ratio = 0.3\n"
+                         "density = 1.0\n[clock]\nend = 1.0\n";
+  const scene::Scene scene =
+      scene::read_scene(path, {}); // 2.4 cells of radius: 2.4 wide in the mean
+  EXPECT_EQ(warning_on_thin_bodies(build_world(scene, 1)), "");
+}
