@@ -74,10 +74,12 @@ namespace
     const bool split = scene.mpm && scene.mpm->split_points;
     const double bytes_per_point = static_cast<double>(solid::bytes_per_point(split));
     const double bytes_per_grid_node = 137.;
-    const double in_use = 1.2; // nodes over cells: the rim
+    // The grid reaches some cells beyond the material: little round a large crystal, but its arms.
+    constexpr double pi = 3.14159265358979, of_arms = 1.2, rim = 6.;
+    const double cells = load.solid_area / world.mesh->spacing.prod();
+    const double disc = pi * std::pow(std::sqrt(cells / pi) + rim, 2);
     forecast.bytes["solid points"] = points * bytes_per_point;
-    forecast.bytes["solid grid"] =
-        in_use * load.solid_area / world.mesh->spacing.prod() * bytes_per_grid_node;
+    forecast.bytes["solid grid"] = std::max(of_arms * cells, disc) * bytes_per_grid_node;
     forecast.bytes["solid scratch"] = points * 21.;
     const auto scheme = scene.advection ? scene.advection->scheme : scene::AdvectionScheme::cip;
     const double carried = scheme == scene::AdvectionScheme::cip           ? 4.
