@@ -74,8 +74,9 @@ namespace
     const bool split = scene.mpm && scene.mpm->split_points;
     const double bytes_per_point = static_cast<double>(solid::bytes_per_point(split));
     const double bytes_per_grid_node = 137.;
-    // The grid reaches some cells beyond the material: little round a large crystal, but its arms.
-    constexpr double pi = 3.14159265358979, of_arms = 1.2, rim = 6.;
+    // The grid reaches some cells beyond what grows: little round a large crystal, but its arms.
+    constexpr double pi = 3.14159265358979, of_arms = 1.2;
+    const double rim = load.grows ? 6. : 0.;
     const double cells = load.solid_area / world.mesh->spacing.prod();
     const double disc = pi * std::pow(std::sqrt(cells / pi) + rim, 2);
     forecast.bytes["solid points"] = points * bytes_per_point;

@@ -188,6 +188,7 @@ GrowthLoad growth_load(const World &world)
   load.end = load.pressed_from = scene.clock.end;
   let_walls_end(world, arms, load);
   load.solid_area = solid_area(scene, arms, load.end); // points are sown as it grows on
+  load.grows = load.solid_area > 1.02 * solid_area(scene, arms, 0.);
 
   const double strip = strip_width(world);
   const double cell = world.mesh->spacing[0];

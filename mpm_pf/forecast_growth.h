@@ -23,6 +23,7 @@ struct GrowthLoad
   double heated_nodes = 0.; // mean over the run: heat alone
   double pressed_from = 0.; // time at which a wall meets the crystal; `end` if none does
   double solid_area = 0.;   // then, inside the domain
+  bool grows = false;       // is it larger then than at the start?
 };
 
 /// Of a scene with [growth].
