@@ -4,6 +4,8 @@
 #include <cmath>
 #include <map>
 
+#include "scene/geometry.h"
+
 namespace fe
 {
   namespace
@@ -34,9 +36,7 @@ namespace fe
         for (auto entry = sides.lower_bound(column(p[0]) - 1); entry != end; ++entry)
         {
           const auto &[a, b] = entry->second;
-          const Point along = b - a;
-          const double s = std::clamp((p - a).dot(along) / along.squaredNorm(), 0., 1.);
-          const Point foot = a + s * along;
+          const Point foot = a + scene::along_segment(p, a, b) * (b - a);
           if ((p - foot).norm() < distance)
             distance = (p - foot).norm(), best = foot;
         }

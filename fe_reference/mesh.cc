@@ -148,15 +148,6 @@ namespace fe
     return area / area_within(scene, (box.upper - box.lower).norm() / 2000.);
   }
 
-  bool on_symmetry_side(const scene::Domain &domain, const int axis, const Point &X,
-                        const double tolerance)
-  {
-    return (is_symmetry(domain, axis, false) &&
-            std::abs(X[axis] - domain.lower[axis]) <= tolerance) ||
-           (is_symmetry(domain, axis, true) &&
-            std::abs(X[axis] - domain.upper()[axis]) <= tolerance);
-  }
-
   std::array<int, 2> wanted_cells(const scene::Scene &scene)
   {
     const std::array<int, 2> asked = scene.fe ? scene.fe->cells : std::array<int, 2>{0, 0};

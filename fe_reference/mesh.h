@@ -36,9 +36,6 @@ namespace fe
   /// Area of the mesh over that within the bodies' outline.
   double filled(const scene::Scene &, const QuadMesh &);
 
-  /// Is `X` on a symmetry side of the domain whose normal is `axis`?
-  bool on_symmetry_side(const scene::Domain &, int axis, const Point &X, double tolerance);
-
   /// Throws scene::BadScene if a body has no area or the bodies fall apart into pieces of which one
   /// touches neither a support nor a symmetry side (it could move freely).
   QuadMesh make_mesh(const scene::Scene &);

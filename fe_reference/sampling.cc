@@ -7,6 +7,7 @@
 #include <Eigen/LU>
 
 #include "point_numbers.h"
+#include "scene/geometry.h"
 
 namespace fe
 {
@@ -133,7 +134,7 @@ namespace fe
     {
       const Point &a = d.position[side.node[0]], &b = d.position[side.node[d.degree]];
       const Point along = b - a;
-      const double s = std::clamp((x - a).dot(along) / along.squaredNorm(), 0., 1.);
+      const double s = scene::along_segment(x, a, b);
       const double distance = (x - a - s * along).norm();
       if (distance < nearest && distance < sagitta * along.norm())
         nearest = distance, foot = a + s * along;

@@ -8,16 +8,9 @@ namespace fe
 {
   namespace
   {
+    using scene::distance_to_segment;
     using scene::Point;
     using scene::Polyline;
-
-    double distance_to_segment(const Point &p, const Point &a, const Point &b)
-    {
-      const Point along = b - a;
-      const double squared = along.squaredNorm();
-      const double s = squared > 0. ? std::min(1., std::max(0., (p - a).dot(along) / squared)) : 0.;
-      return (p - a - s * along).norm();
-    }
 
     // Marks what is kept between first and last, which are kept already.
     void keep_between(const Polyline &open, const std::size_t first, const std::size_t last,

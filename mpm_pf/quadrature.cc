@@ -36,24 +36,6 @@ std::string warning_on_quadrature(const World &world)
   return text.str();
 }
 
-namespace
-{
-  using scene::Point;
-
-  bool on_symmetry_side(const scene::Domain &domain, const Point &a, const Point &b,
-                        const double slack)
-  {
-    const Point upper = domain.upper();
-    const auto lies = [&](const scene::Edge side, const int axis, const double at)
-    {
-      return domain.boundary[static_cast<std::size_t>(side)] == scene::Boundary::symmetry &&
-             std::abs(a[axis] - at) <= slack && std::abs(b[axis] - at) <= slack;
-    };
-    return lies(scene::Edge::left, 0, domain.lower[0]) || lies(scene::Edge::right, 0, upper[0]) ||
-           lies(scene::Edge::bottom, 1, domain.lower[1]) || lies(scene::Edge::top, 1, upper[1]);
-  }
-} // namespace
-
 std::string warning_on_thin_bodies(const World &world)
 {
   constexpr double enough = 2.; // cells
@@ -61,6 +43,7 @@ std::string warning_on_thin_bodies(const World &world)
   if (!scene.solid || scene.growth)
     return {};
   const double dx = scene.domain.spacing().maxCoeff();
+  const double rounding = 1e-6 * dx;
   std::ostringstream text;
   text.precision(2);
   for (const scene::Body &body : scene.bodies)
@@ -70,9 +53,16 @@ std::string warning_on_thin_bodies(const World &world)
     {
       area += scene::signed_area(line);
       for (std::size_t k = 0; k < line.size(); ++k)
-        if (const Point &a = line[k], &b = line[(k + 1) % line.size()];
-            !on_symmetry_side(scene.domain, a, b, 1e-6 * dx)) // the body goes on there
+      {
+        const scene::Point &a = line[k], &b = line[(k + 1) % line.size()];
+        const auto goes_on_across = [&](const int axis)
+        {
+          return std::abs(a[axis] - b[axis]) <= rounding &&
+                 on_symmetry_side(scene.domain, axis, a, rounding);
+        };
+        if (!goes_on_across(0) && !goes_on_across(1)) // else the cut through a larger body
           perimeter += (b - a).norm();
+      }
     }
     if (const double width = 2. * area / perimeter / dx; width < enough)
       text << (text.str().empty() ? "thin: " : ", ") << '"' << body.name << "\" is about " << width

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "scene/geometry.h"
+
 namespace scene
 {
   namespace
@@ -59,10 +61,7 @@ namespace scene
 
     Point foot(const Side &side, const Point &p)
     {
-      const Point along = side[1] - side[0];
-      const double squared = along.squaredNorm();
-      const double s = squared > 0. ? (p - side[0]).dot(along) / squared : 0.;
-      return side[0] + std::clamp(s, 0., 1.) * along;
+      return side[0] + along_segment(p, side[0], side[1]) * (side[1] - side[0]);
     }
 
     // Where those two of the sides through `p` cross that differ most in direction; without such

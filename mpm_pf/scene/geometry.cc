@@ -27,14 +27,6 @@ namespace scene
                      "replace it first (record/outline_source.h)");
     }
 
-    double distance_to_segment(const Point &p, const Point &a, const Point &b)
-    {
-      const Point edge = b - a;
-      const double length2 = edge.squaredNorm();
-      const double s = length2 > 0. ? std::clamp((p - a).dot(edge) / length2, 0., 1.) : 0.;
-      return (p - a - s * edge).norm();
-    }
-
     double distance_to_rectangle(const Rectangle &r, const Point &p)
     {
       const Point half = 0.5 * r.size, centre = r.corner + half;
@@ -145,6 +137,32 @@ namespace scene
       twice += a[0] * b[1] - a[1] * b[0];
     }
     return 0.5 * twice;
+  }
+
+  double distance_to_segment(const Point &p, const Point &a, const Point &b)
+  {
+    return (p - a - along_segment(p, a, b) * (b - a)).norm();
+  }
+
+  bool on_symmetry_side(const Domain &domain, const int axis, const Point &X,
+                        const double tolerance)
+  {
+    const auto on = [&](const int upper, const double side)
+    {
+      return domain.boundary[2 * axis + upper] == Boundary::symmetry &&
+             std::abs(X[axis] - side) <= tolerance;
+    };
+    return on(0, domain.lower[axis]) || on(1, domain.upper()[axis]);
+  }
+
+  bool reaches_over_symmetry(const Domain &domain, const Edge edge, const Box &bodies,
+                             const double by)
+  {
+    const auto side = static_cast<int>(edge);
+    const int axis = side / 2;
+    const double over = side % 2 == 0 ? domain.lower[axis] - bodies.lower[axis]
+                                      : bodies.upper[axis] - domain.upper()[axis];
+    return domain.boundary[side] == Boundary::symmetry && over > by;
   }
 
   bool contains(const Where &where, const Box &bodies_box, const Point &X, const double tolerance)

@@ -1,6 +1,7 @@
 // One definition of the bodies for points, phase field and finite-element mesh.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "scene/scene.h"
@@ -27,6 +28,20 @@ namespace scene
   std::vector<Polyline> outline(const std::vector<Body> &, double spacing);
   /// The same, with what lies beyond the symmetry sides of `domain` cut off.
   std::vector<Polyline> outline(const std::vector<Body> &, const Domain &, double spacing);
+
+  /// Where on the segment, from 0 at `a` to 1 at `b`, the point nearest to `p` is.
+  inline double along_segment(const Point &p, const Point &a, const Point &b)
+  {
+    const Point edge = b - a;
+    const double length2 = edge.squaredNorm();
+    return length2 > 0. ? std::clamp((p - a).dot(edge) / length2, 0., 1.) : 0.;
+  }
+  double distance_to_segment(const Point &p, const Point &a, const Point &b);
+
+  /// Is `X` on a symmetry side of the domain whose normal is `axis`?
+  bool on_symmetry_side(const Domain &, int axis, const Point &X, double tolerance);
+  /// Is that side a symmetry side, and do bodies in the box reach over it by more than `by`?
+  bool reaches_over_symmetry(const Domain &, Edge, const Box &bodies, double by);
 
   /// Do two sides of a closed polyline meet other than at their common vertex?
   bool crosses_itself(const Polyline &);

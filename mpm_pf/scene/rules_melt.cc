@@ -181,15 +181,10 @@ namespace scene
     const double eighths = in.scene().orientation->angle_degrees / 45.;
     const Box box = bounding_box(in.scene().bodies);
     const double slack = 1e-6 * domain.spacing().minCoeff();
-    const auto cut = [&](const Edge side, const double beyond)
-    {
-      return domain.boundary[static_cast<std::size_t>(side)] == Boundary::symmetry &&
-             beyond > -slack;
-    };
-    const bool whole = !cut(Edge::left, domain.lower[0] - box.lower[0]) &&
-                       !cut(Edge::bottom, domain.lower[1] - box.lower[1]) &&
-                       !cut(Edge::right, box.upper[0] - domain.upper()[0]) &&
-                       !cut(Edge::top, box.upper[1] - domain.upper()[1]);
+    const auto sides = {Edge::left, Edge::right, Edge::bottom, Edge::top};
+    const bool whole = std::none_of(sides.begin(), sides.end(),
+                                    [&](const Edge side)
+                                    { return reaches_over_symmetry(domain, side, box, -slack); });
     if (whole || std::abs(eighths - std::nearbyint(eighths)) < 1e-9)
       return;
     in.complain(in.at("orientation", "angle_degrees"),

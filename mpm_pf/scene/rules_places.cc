@@ -43,16 +43,6 @@ namespace scene
       return length;
     }
 
-    bool beyond_symmetry(const Edge edge, const Scene &scene, const double tolerance)
-    {
-      const auto side = static_cast<int>(edge);
-      const int axis = side / 2;
-      const Box box = bounding_box(scene.bodies);
-      const double over = side % 2 == 0 ? scene.domain.lower[axis] - box.lower[axis]
-                                        : box.upper[axis] - scene.domain.upper()[axis];
-      return scene.domain.boundary[side] == Boundary::symmetry && over > tolerance;
-    }
-
     // Empty if the place holds material, else what is wrong.
     std::string absence(const Where &where, const Scene &scene)
     {
@@ -64,10 +54,11 @@ namespace scene
       if (const auto *box = std::get_if<Box>(&where))
         return holds_material(*box, scene.bodies) ? "" : "there is no material in this region";
       const Edge edge = std::get<Edge>(where);
-      if (beyond_symmetry(edge, scene, tolerance))
+      const Box box = bounding_box(scene.bodies);
+      if (reaches_over_symmetry(scene.domain, edge, box, tolerance))
         return "the bodies reach over the domain's " + word(edge) +
                " side, a symmetry side that cuts their " + word(edge) + " edge off";
-      return contact_length(edge, scene, bounding_box(scene.bodies), tolerance) > 0.
+      return contact_length(edge, scene, box, tolerance) > 0.
                  ? ""
                  : "the bodies have no " + word(edge) + " edge: their outline meets the " +
                        word(edge) + " side of their bounding box in a point only";

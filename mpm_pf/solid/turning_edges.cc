@@ -10,6 +10,7 @@
 //   w_M = sum r_i m_i (v_i - V_i)/sum r_i^2 m_i   over M itself, r = 1, and all that is tied to it.
 // On an edge along a row these are the folded functions of shape_functions.h. Tracers of the edge
 // are where the displacement says, to the last bit, and slide across as the material does.
+#include "scene/geometry.h"
 #include "solid/supports.h"
 
 namespace solid
@@ -28,7 +29,6 @@ namespace solid
       const auto &outline = tracers.outlines[o];
       const Point &a = outline[k].x, &b = outline[(k + 1) % outline.size()].x;
       const Point chord = b - a;
-      const double length2 = chord.squaredNorm();
       std::array<int, 2> first, last;
       for (int axis = 0; axis < 2; ++axis)
       {
@@ -40,10 +40,9 @@ namespace solid
         {
           if (!grid.has(i, j))
             continue;
-          const Point d = Point(grid.node_x(i), grid.node_y(j)) - a;
-          const double along =
-              length2 > 0. ? std::min(std::max(d.dot(chord) / length2, 0.), 1.) : 0.;
-          const double distance2 = (d - along * chord).squaredNorm();
+          const Point x(grid.node_x(i), grid.node_y(j));
+          const double along = scene::along_segment(x, a, b);
+          const double distance2 = (x - a - along * chord).squaredNorm();
           const std::ptrdiff_t n = grid.at(i, j);
           if (listed[n] < 0)
           {
