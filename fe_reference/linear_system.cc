@@ -120,7 +120,7 @@ namespace fe
 
   namespace
   {
-    // INFO(1) of MUMPS' manual: these say that workspace or memory is short.
+    // INFO(1) of MUMPS' manual: these say that memory is short.
     void complain(Amesos_BaseSolver &solver, const char *otherwise)
     {
       if (auto *mumps = dynamic_cast<Amesos_Mumps *>(&solver))

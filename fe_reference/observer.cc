@@ -6,7 +6,6 @@
 #include <sstream>
 
 #include "overlap.h"
-#include "pieces.h"
 #include "scene/geometry.h"
 #include "scene/quantities.h"
 #include "scene/schedule.h"
@@ -67,7 +66,7 @@ namespace fe
         tolerance(1e-9 * scene_.clock.end)
   {
     const Discretisation &d = problem.mesh;
-    piece = pieces(d.nodes, d.cell_node, d.nodes_per_cell);
+    const std::vector<int> &piece = problem.supports.piece;
     several_pieces = std::count(piece.begin(), piece.end(), piece.front()) < d.nodes;
     const scene::Box box = scene::bounding_box(scene.bodies);
     default_bin = (box.upper[0] - box.lower[0]) / 20.;
@@ -100,7 +99,7 @@ namespace fe
     const Stopwatch stopwatch{wall, cpu};
     watch_folding(step);
     if (several_pieces)
-      overlapping = overlap_of_pieces(problem.mesh, piece, step.state.u);
+      overlapping = overlap_of_pieces(problem.mesh, problem.supports.piece, step.state.u);
     overlap_time = step.state.time;
     energy_row(step);
     std::unique_ptr<Snapshot> body; // only if some probe needs the whole body
@@ -186,7 +185,8 @@ namespace fe
   {
     double smallest = 0.;
     const std::vector<char> folded = folded_cells(problem, state.u, smallest);
-    const std::optional<Point> at = overlap_with_itself(problem.mesh, piece, state.u, folded);
+    const std::optional<Point> at =
+        overlap_with_itself(problem.mesh, problem.supports.piece, state.u, folded);
     if (!at)
       return "";
     std::ostringstream text;

@@ -75,7 +75,6 @@ namespace fe
     std::vector<double> events;
     double tolerance, default_bin;
     bool energy_asked = false; // by a probe, at its own times
-    std::vector<int> piece;    // of every node
     bool several_pieces = false;
     std::optional<Point> overlapping; // where, in the last observed state
     double overlap_time = 0.;

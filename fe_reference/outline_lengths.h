@@ -2,7 +2,7 @@
 //
 // Nodes are held and sides loaded if they lie on an edge or a segment to rounding. A mesh that
 // leaves its line by more holds nothing, and the answer is wrong without a sign of it: the lengths
-// of both must agree to a cell.
+// of both must agree to a cell and a tenth, which chords of a rough outline may lose.
 #pragma once
 
 #include <functional>
@@ -22,7 +22,7 @@ namespace fe
     /// Length of the mesh's outline whose sides lie there.
     double of_mesh(const Lies &) const;
     /// Throws scene::BadScene if `length` of the mesh is `held` (or loaded, as a text) by `who`,
-    /// yet the bodies' outline lies there for more or less than a cell of that length.
+    /// yet the bodies' outline lies there for a length that differs by more than that.
     void check(const Lies &, double length, const scene::Place &, const std::string &who) const;
 
   private:

@@ -183,8 +183,8 @@ namespace
   {
     const auto scheme = w.advection->scheme();
     const double shift = dt * medium::crossing_rate(*w.velocity, *w.mesh);
-    const double asked = w.scene->advection ? w.scene->advection->step_fraction : 0.2;
-    if (w.imposed && (w.imposed->steady() || shift <= asked * (1. + 1e-6)))
+    const double asked = carried_fraction(*w.scene) * (1. + 1e-6);
+    if (w.imposed && (w.imposed->steady() || shift <= asked))
       return 1; // as the scene asks
     const double allowed = 0.9 * medium::largest_shift(scheme);
     // A motion that cannot be meant is left for advect() to refuse.

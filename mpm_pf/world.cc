@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "capacity.h"
+#include "medium/sums.h"
 #include "scene/interface_distance.h"
 
 namespace
@@ -90,9 +91,10 @@ namespace
     }
     double undercooling = scene.heat ? std::abs(scene.heat->undercooling) : 0.;
     if (scene.heat && scene.heat->initial)
-      for (int j = 0; j < world.mesh->nodes[1]; ++j)
-        for (int i = 0; i < world.mesh->nodes[0]; ++i)
-          undercooling = std::max(undercooling, std::abs(world.heat->value(i, j)));
+    {
+      const medium::Spread theta = medium::spread_of(world.heat->value, *world.mesh);
+      undercooling = std::max({undercooling, std::abs(theta.min), std::abs(theta.max)});
+    }
     world.growth = std::make_unique<melt::Growth>(*world.mesh, law, options, undercooling);
     const double limit = world.growth->step_limit();
     if (scene.growth && scene.growth->step && *scene.growth->step > limit && !force)
@@ -190,6 +192,11 @@ double expected_end(const World &world)
   return stop > 0. ? std::min(stop, end) : end;
 }
 
+double carried_fraction(const scene::Scene &scene)
+{
+  return scene.advection.value_or(scene::Advection{}).step_fraction;
+}
+
 double growth_step(const World &world)
 {
   const auto &growth = world.scene->growth;
@@ -236,7 +243,7 @@ double coupling_step(const World &world)
   constexpr double substeps_between_looks = 512.;
   // A front that walls or seeding wait for may move a fraction of a cell only.
   constexpr double substeps_between_couplings = 32.;
-  const double fraction = scene.advection ? scene.advection->step_fraction : 0.2;
+  const double fraction = carried_fraction(scene);
   if (world.solid && !world.extension)
     step = std::min(step, substeps_between_looks * solid::stable_step(*world.solid));
   if (world.growth)

@@ -67,6 +67,9 @@ double expected_end(const World &);
 /// Largest step that every present module accepts as one coupling step; infinity if none minds.
 double coupling_step(const World &);
 
+/// Cells that a motion may cross per coupling step and axis: the scene's choice or its default.
+double carried_fraction(const scene::Scene &);
+
 /// Explicit growth step of the scene: its own choice, or its fraction of the limit. Time.
 double growth_step(const World &);
 

@@ -214,14 +214,18 @@ namespace medium
 
   namespace
   {
-    /// Inward travel since their first touch of the walls of one axis, as it will be at `time`.
-    double pressed_at(const Walls &walls, const int axis, const double time)
+    /// Along one axis, if each wall had gone inwards as far as `travel(wall)`; 0 before a touch.
+    template <class Travel>
+    double compression_along(const Walls &walls, const int axis, Travel &&travel)
     {
-      double travel = 0.;
+      double pressed = 0., span = 0.;
       for (const Wall &wall : walls.walls)
         if (wall.axis() == axis && wall.touched)
-          travel += std::max(wall.travel, travel_at(wall, time)) - wall.travel_at_touch;
-      return travel;
+        {
+          pressed += travel(wall) - wall.travel_at_touch;
+          span = std::max(span, wall.span_at_touch);
+        }
+      return span > 0. ? pressed / span : 0.;
     }
   } // namespace
 
@@ -231,19 +235,19 @@ namespace medium
     double soonest = longest;
     for (int axis = 0; axis < 2; ++axis)
     {
-      double span = 0.;
-      for (const Wall &wall : walls.walls)
-        if (wall.axis() == axis && wall.touched)
-          span = std::max(span, wall.span_at_touch);
-      const double goal = wanted * span;
-      if (span <= 0. || pressed_at(walls, axis, time) >= goal * (1. - 1e-9) ||
-          pressed_at(walls, axis, time + soonest) < goal)
+      const auto after_a_time = [&](const double t)
+      {
+        return compression_along(walls, axis,
+                                 [&](const Wall &wall)
+                                 { return std::max(wall.travel, travel_at(wall, time + t)); });
+      };
+      if (after_a_time(0.) >= wanted * (1. - 1e-9) || after_a_time(soonest) < wanted)
         continue;
-      double before = 0., after = soonest; // of the moment, where the goal is not reached and is
+      double before = 0., after = soonest; // of the moment, where it is not reached and where it is
       while (after - before > 1e-9 * soonest)
       {
         const double middle = 0.5 * (before + after);
-        (pressed_at(walls, axis, time + middle) < goal ? before : after) = middle;
+        (after_a_time(middle) < wanted ? before : after) = middle;
       }
       soonest = after;
     }
@@ -252,18 +256,8 @@ namespace medium
 
   double compression(const Walls &walls)
   {
-    double largest = 0.;
-    for (int axis = 0; axis < 2; ++axis)
-    {
-      double travel = 0., span = 0.;
-      for (const Wall &wall : walls.walls)
-        if (wall.axis() == axis && wall.touched)
-        {
-          travel += wall.travel - wall.travel_at_touch;
-          span = std::max(span, wall.span_at_touch);
-        }
-      largest = std::max(largest, span > 0. ? travel / span : 0.);
-    }
-    return largest;
+    const auto present = [](const Wall &wall) { return wall.travel; };
+    return std::max(
+        {0., compression_along(walls, 0, present), compression_along(walls, 1, present)});
   }
 } // namespace medium

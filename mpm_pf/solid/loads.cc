@@ -45,8 +45,7 @@ namespace solid
   {
     Loads loads;
     const scene::Box box = scene::bounding_box(scene.bodies);
-    const double tolerance =
-        std::max(1e-6 * scene.domain.spacing()[0], 1e-7 * (box.upper - box.lower).norm());
+    const double tolerance = place_tolerance(box, scene.domain.spacing()[0]);
     for (const scene::Traction &asked : scene.tractions)
     {
       const std::size_t index = loads.tractions.size();

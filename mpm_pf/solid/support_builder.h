@@ -1,7 +1,6 @@
 // What the functions share that make supports from a scene.
 #pragma once
 
-#include <algorithm>
 #include <string>
 
 #include "scene/geometry.h"
@@ -31,9 +30,7 @@ namespace solid
     {
       return scene::signed_distance(scene.bodies, x) > -1e-9 * dx;
     }
-    // A tracer lies on an edge if no farther off; the second for fine grids, where rounding of
-    // the scene's own numbers may be more than the first.
-    double small() const { return std::max(1e-6 * dx, 1e-7 * (box.upper - box.lower).norm()); }
+    double small() const { return place_tolerance(box, dx); }
   };
 
   /// Cells beyond one end of a line in which nodes are held: up to half-way to the first material

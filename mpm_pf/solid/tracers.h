@@ -6,6 +6,8 @@
 // and loaded parts of the outline, too.
 #pragma once
 
+#include <algorithm>
+
 #include "solid/transfer.h"
 
 namespace solid
@@ -22,6 +24,13 @@ namespace solid
   {
     std::vector<std::vector<Tracer>> outlines; // closed
   };
+
+  /// How far from an edge or segment what starts on it may lie: of a cell, or, on fine grids, of
+  /// the bodies, whose own numbers are rounded.
+  inline double place_tolerance(const scene::Box &bodies, const double dx)
+  {
+    return std::max(1e-6 * dx, 1e-7 * (bodies.upper - bodies.lower).norm());
+  }
 
   /// On the outline of the bodies, cut at the symmetry sides of the domain.
   Tracers make_tracers(const std::vector<scene::Body> &, const scene::Domain &, double spacing);

@@ -30,7 +30,7 @@ namespace solid
   /// Does node (i, j) = n on the carrier row of a wall's line touch material, and with slip, would
   /// it move into the wall? v: of the wall; sticks: it was held in the last step.
   bool touches(const HeldLine &, const Fold &, const Grid &, int i, int j, std::ptrdiff_t n,
-               const Point &v, bool sticks = false);
+               const Point &v, bool sticks);
 
   /// Bounds for the points over the step that ends at t: the domain up to the walls.
   void bound_by_walls(const Supports &, double t, Point &lower, Point &upper);

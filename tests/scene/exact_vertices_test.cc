@@ -3,21 +3,16 @@
 
 #include <gtest/gtest.h>
 
+#include "body.h"
+
 #include "scene/geometry.h"
 
 using scene::Body;
 using scene::Point;
+using scene_test::body;
 
 namespace
 {
-  template <class Shape>
-  Body body(const Shape &shape)
-  {
-    Body result;
-    result.shape = shape;
-    return result;
-  }
-
   scene::Domain above_the_axis()
   {
     scene::Domain domain;

@@ -5,22 +5,17 @@
 
 #include <gtest/gtest.h>
 
+#include "body.h"
+
 using scene::Body;
 using scene::Boundary;
 using scene::Domain;
 using scene::InterfaceDistance;
 using scene::Point;
+using scene_test::body;
 
 namespace
 {
-  template <class Shape>
-  Body body(const Shape &shape)
-  {
-    Body result;
-    result.shape = shape;
-    return result;
-  }
-
   Domain box(const Boundary left_right = Boundary::no_flux)
   {
     Domain domain;
