@@ -70,8 +70,8 @@ def draw(name, function, results, output):
         figure, curves = function(results)
     except record.Missing as reason:
         return f"{name}: skipped: {reason}", False
-    style.save(figure, output / name)
     sources = list(dict.fromkeys(results.used))
+    style.save(figure, output / name, sources)
     write_curves(output / f"{name}.csv", curves, sources)
     return f"{name}: drawn from {', '.join(sources)}", True
 

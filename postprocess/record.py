@@ -108,6 +108,14 @@ class Record:
         """A text that the run wrote about itself, as "inertia" or "warning"; empty if it wrote none."""
         return str(self.file.attrs.get(name, ""))
 
+    @property
+    def source(self):
+        """Where a figure's numbers come from: the run and the commit of the program that made it."""
+        noted = self.file["provenance"].attrs
+        commit = str(noted.get("commit", "unknown"))[:10]
+        changed = " with changes" if str(noted.get("dirty", "no")) == "yes" else ""
+        return f"{self.label} (commit {commit}{changed})"
+
     def names(self, kind):
         """Probes of `kind`: "tables", "lines", "outlines" or "snapshots"."""
         return list(self.file.get(kind, {}))
@@ -184,7 +192,7 @@ class Results:
         self.folder = pathlib.Path(folder)
         if not self.folder.is_dir():
             raise Missing(f"{folder} is no folder")
-        self.used = []  # records that the current figure was drawn from
+        self.used = []  # sources of the current figure
 
     def records(self, case, runs):
         """The records of several runs of one case, all of the best suite that has them all."""
@@ -198,7 +206,7 @@ class Results:
             except Missing as missing:
                 reasons.append(str(missing))
             else:
-                self.used += [record.label for record in found]
+                self.used += [record.source for record in found]
                 return found
         raise Missing(reasons[-1] if not (self.folder / case).is_dir() else "; ".join(reasons))
 

@@ -91,12 +91,13 @@ def _renamed_clips(svg):
     return re.sub(r'(id="|#)(\w+)', lambda m: m[1] + order.get(m[2], m[2]), svg)
 
 
-def save(figure, stem):
-    """Write <stem>.pdf, .svg and .png; returns their names."""
+def save(figure, stem, sources):
+    """Write <stem>.pdf, .svg and .png, each of which tells its sources; returns their names."""
+    drawn_from = "drawn from " + ", ".join(sources)
     metadata = {
-        "pdf": {"CreationDate": None, "ModDate": None, "Creator": None, "Producer": None},
-        "svg": {"Date": None, "Creator": None},
-        "png": {"Software": None},
+        "pdf": {"CreationDate": None, "ModDate": None, "Creator": None, "Producer": None, "Subject": drawn_from},
+        "svg": {"Date": None, "Creator": None, "Description": drawn_from},
+        "png": {"Software": None, "Description": drawn_from},
     }
     figure.draw_without_rendering()
     figure.set_layout_engine("none")  # laid out once, so that the three are alike

@@ -69,6 +69,8 @@ class Figures(Scratch):
                 first, second = ((self.folder / place / f"{name}.{kind}").read_bytes() for place in ("a", "b"))
                 self.assertGreater(len(first), 1000)
                 self.assertEqual(first, second, f"{name}.{kind}")
+        for kind in ("pdf", "svg", "png", "csv"):
+            self.assertIn(b"commit 0123456789 with changes", (self.folder / "a" / f"fig5.{kind}").read_bytes(), kind)
         with open(self.folder / "a" / "fig5.csv", encoding="utf-8") as file:
             rows = [row for row in csv.DictReader(line for line in file if not line.startswith("#"))]
         tip = {row["curve"]: float(row["y"]) for row in rows if float(row["x"]) == 8.0}

@@ -23,6 +23,7 @@ class Invented:
         self.file.attrs["format"] = "mpm_pf record 1"
         self.file.attrs["status"] = "complete"
         self.file.create_group("provenance")["scene"] = scene
+        self.file["provenance"].attrs.update({"commit": "0123456789abcdef", "dirty": "yes"})
 
     def __enter__(self):
         return self
