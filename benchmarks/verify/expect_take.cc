@@ -74,6 +74,11 @@ namespace verify
                              "side = \"top\" or \"bottom\" and x");
       if (take.kind == Kind::outline && take.of.rfind("extreme_", 0) == 0 && take.side.empty())
         section.complain("", "an extreme needs side = \"left\", \"right\", \"bottom\" or \"top\"");
+      if (!take.mirror.empty() && take.mirror != "x" && take.mirror != "y" && take.mirror != "none")
+        section.complain("mirror", fmt::format("no such mirror: `{}`", take.mirror),
+                         "\"x\" (x -> -x), \"y\" (y -> -y) or \"none\"");
+      if (!take.mirror.empty() && take.kind != Kind::outline)
+        section.complain("mirror", "only an outline has a mirror image");
       if (!take.reduce.empty() &&
           std::find(reductions.begin(), reductions.end(), take.reduce) == reductions.end())
         section.complain("reduce", fmt::format("no such reduction: `{}`", take.reduce));
@@ -183,6 +188,7 @@ namespace verify
       take.between = section.expressions("between_abscissa");
       take.along_abscissa = true;
     }
+    take.mirror = section.text("mirror", take.mirror);
     take.rotate = section.expression("rotate").value_or(take.rotate);
     if (section.has("shift"))
       take.shift = section.expressions("shift");

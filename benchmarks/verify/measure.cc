@@ -97,6 +97,8 @@ namespace verify
     {
       const auto all = reader.outline(take.probes.at(0)[1]);
       Outline outline = all.outlines.at(time_index(take, constants, all.time));
+      if (take.mirror == "x" || take.mirror == "y")
+        outline = mirrored(outline, take.mirror);
       if (!take.rotate.empty())
         outline = rotated(outline, evaluate(take.rotate, constants));
       if (take.shift.size() == 2)

@@ -115,6 +115,16 @@ namespace verify
     return found;
   }
 
+  Outline mirrored(const Outline &outline, const std::string &along)
+  {
+    const int axis = along == "x" ? 0 : 1;
+    Outline result = outline;
+    for (auto &line : result)
+      for (auto &p : line)
+        p[axis] = -p[axis];
+    return result;
+  }
+
   Outline rotated(const Outline &outline, const double degrees)
   {
     const Eigen::Rotation2Dd turn(degrees * std::acos(-1.) / 180.);

@@ -17,6 +17,9 @@ namespace verify
   /// meet the outline.
   double side_position(const Outline &, const std::string &side, double level);
 
+  /// The mirror image of the outline; `along`: "x" (x -> -x) or "y" (y -> -y).
+  Outline mirrored(const Outline &, const std::string &along);
+
   /// The outline turned by `degrees` (counter-clockwise) about the origin.
   Outline rotated(const Outline &, double degrees);
 

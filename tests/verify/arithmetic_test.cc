@@ -207,6 +207,21 @@ TEST(Outlines, HaveAreaSidesAndDistances)
   EXPECT_THROW(area({}), MissingData);
 }
 
+// A parallelogram that is its own image under half a turn, and not in a mirror: at height y the two
+// span [y - 2, y + 2] and [-y - 2, -y + 2], so that 4 |y| lies in one of them only, 4 in sum.
+TEST(Outlines, AreMirroredWhereTurningWillNotDo)
+{
+  const Outline right = {{{-3., -1.}, {1., -1.}, {3., 1.}, {-1., 1.}}},
+                left = {{{-1., -1.}, {3., -1.}, {1., 1.}, {-3., 1.}}};
+  EXPECT_NEAR(symmetric_difference(rotated(right, 180.), right), 0., 1e-12);
+  EXPECT_NEAR(symmetric_difference(right, left), 4., 1e-12);
+  EXPECT_NEAR(symmetric_difference(mirrored(right, "x"), left), 0., 1e-12);
+  EXPECT_NEAR(symmetric_difference(mirrored(right, "y"), left), 0., 1e-12);
+  const Outline corner = box(1., 2., 2., 4.);
+  EXPECT_NEAR(symmetric_difference(mirrored(corner, "x"), box(-2., 2., -1., 4.)), 0., 1e-12);
+  EXPECT_NEAR(symmetric_difference(mirrored(corner, "y"), box(1., -4., 2., -2.)), 0., 1e-12);
+}
+
 TEST(Outlines, TakeHolesOffWhicheverWayTheyRun)
 {
   Outline ring = box(0., 0., 2., 2.);

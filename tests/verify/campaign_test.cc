@@ -58,6 +58,29 @@ TEST(Campaign, PassesEqualRunsInEveryKindOfProbe)
   }
 }
 
+// A crystal turned the wrong way round must not pass for the right one.
+TEST(Campaign, MirrorsAnOutlineThatIsOnlySymmetricUnderHalfATurn)
+{
+  const Workspace w;
+  const std::string runs = "[[run]]\nsolver = \"mpm_pf\"\nset = [\"fake.skew=0.8\"]\n"
+                           "[[run]]\nsolver = \"fe_reference\"\nset = [\"fake.skew=-0.8\"]\n";
+  const auto status = [&](const std::string &keys, const std::string &of_other)
+  {
+    const auto campaign = w.run(runs + check("outline = \"outline\"" + keys,
+                                             "{run = \"fe_reference\"" + of_other + "}",
+                                             "relative_symmetric_difference", "0.01"));
+    return only(campaign).status;
+  };
+  EXPECT_EQ(status("", ""), Status::fail);
+  EXPECT_EQ(status(", rotate = 180", ", rotate = 0"), Status::fail);
+  EXPECT_EQ(status(", mirror = \"x\"", ", mirror = \"none\""), Status::pass);
+  EXPECT_EQ(status("", ", mirror = \"y\""), Status::pass);
+  EXPECT_EQ(status(", mirror = \"x\"", ""), Status::fail) << "both are mirrored";
+  // first mirrored, then turned, then moved: the other's turn and move are the same ones
+  EXPECT_EQ(status(", mirror = \"x\", rotate = 30, shift = [5, 1]", ", mirror = \"none\""),
+            Status::pass);
+}
+
 TEST(Campaign, FailsOnEitherSideOfTheReference)
 {
   const Workspace w;

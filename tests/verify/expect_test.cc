@@ -64,6 +64,19 @@ TEST(Expectations, RefuseNormsThatDoNotFit)
             std::string::npos);
 }
 
+TEST(Expectations, NameTheMirrorsThatThereAre)
+{
+  const auto told = [](const std::string &take)
+  {
+    return complaint(head + check + "take = {run = \"mpm_pf\", " + take +
+                     "}\nagainst = \"zero\"\nnorm = \"absolute\"\nlimit = 1\n");
+  };
+  EXPECT_EQ(told("outline = \"o\", of = \"area\", mirror = \"x\""), "");
+  EXPECT_NE(told("outline = \"o\", of = \"area\", mirror = \"xy\"").find("no such mirror: `xy`"),
+            std::string::npos);
+  EXPECT_NE(told("number = \"n\", mirror = \"x\"").find("only an outline"), std::string::npos);
+}
+
 TEST(Expectations, RefuseNormsOfNumbersForCurvesAndIntegralsOfSnapshots)
 {
   const std::string table = "take = {run = \"mpm_pf\", table = \"t\", of = \"u\"",

@@ -8,6 +8,7 @@
 //   short             the history ends at this time instead of 1
 //   nan               1: the line probe holds an infinite value
 //   foretold          seconds that --plan foretells instead of what will be burnt
+//   skew              the outline is a parallelogram about the origin, sheared by this
 //   growth            the energy grows by this factor per unit of time
 //   hole              exit code 2 if the growth is this
 #include <chrono>
@@ -31,7 +32,7 @@ namespace
   {
     Settings settings{{"error", 0.},  {"order", 2.},    {"h", 1.},     {"exit", 0.},
                       {"sleep", 0.},  {"burn", 0.},     {"short", 1.}, {"nan", 0.},
-                      {"growth", 0.}, {"foretold", 0.}, {"hole", -1.}};
+                      {"growth", 0.}, {"foretold", 0.}, {"hole", -1.}, {"skew", 0.}};
     for (const auto &text : command.overrides)
       if (const auto equal = text.find('='); text.rfind("fake.", 0) == 0)
         settings[text.substr(5, equal - 5)] = std::stod(text.substr(equal + 1));
@@ -68,7 +69,11 @@ namespace
     if (s.at("nan") > 0.)
       line.values[3] = std::numeric_limits<double>::infinity();
     writer.line("profile", {{"u"}, {"m"}}, 1., line);
-    writer.outline("outline", 1., {{{0., 0.}, {1. + off, 0.}, {1. + off, 1.}, {0., 1.}}});
+    const double k = s.at("skew");
+    if (k != 0.)
+      writer.outline("outline", 1., {{{-2. - k, -1.}, {2. - k, -1.}, {2. + k, 1.}, {-2. + k, 1.}}});
+    else
+      writer.outline("outline", 1., {{{0., 0.}, {1. + off, 0.}, {1. + off, 1.}, {0., 1.}}});
     record::Snapshot snapshot;
     snapshot.vertex = {{0., 0.}, {1., 0.}, {0., 1.}, {1., 1.}};
     snapshot.fields["sum"] = {off, 1. + off, 1. + off, 2. + off};
