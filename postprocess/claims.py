@@ -1,7 +1,7 @@
 """What Sec. 3 of the paper says about a compressed dendrite, sentence by sentence, against records.
 
-Each claim measures something in a record and says "seen" or "not seen"; where the paper's words are not met the
-text after "differs because" gives the reason that is known.
+Each claim measures something in a record and says "seen" or "not seen"; where the paper's words are not met and the
+record itself shows why, the text after "differs because" says it. claims_table.py prints the tables of the cases' READMEs.
 """
 
 import textwrap
@@ -21,9 +21,10 @@ class Claim:
     measured: str
 
 
-def judge(sentence, seen, measured, because=""):
-    found = "seen" if seen else ("not seen" if not because else f"differs because {because}")
-    return Claim(sentence, found, measured)
+def judge(sentence, seen, measured, because="", applies=True):
+    """A claim; `because` is the reason for not seeing it, said only where the record bears it out (`applies`)."""
+    why = f"differs because {because}" if because and applies else "not seen"
+    return Claim(sentence, "seen" if seen else why, measured)
 
 
 class Compressed:
@@ -90,14 +91,19 @@ def listed(values, digits=3):
     return ", ".join(f"{v:.{digits}g}" for v in values)
 
 
+def of_figure12(results):
+    """The claims about Fig. 12, from a folder of records."""
+    return of_smooth_dendrite(results.record("compress_dendrite", "mpm_pf"), results.optional("compress_dendrite", "free"))
+
+
 def of_smooth_dendrite(run, free=None):
-    """The claims about Fig. 12 (contact, 5, 10, 15 % compression, no noise)."""
+    """The claims about Fig. 12 (contact, 5, 10, 15 % compression, no noise); `free`: the same growth without compression."""
     states = [Compressed(run, c) for c in (0.0, 0.05, 0.10, 0.15)]
-    return of_flow(states, against_free(run, free)) + of_stress(states) + of_turning(states[-1])
+    return of_flow(states, ahead_of(free, run)) + of_stress(states) + of_turning(states[-1])
 
 
-def of_flow(states, beside):
-    """Where it flows plastically; `beside`: what a run without compression adds to that."""
+def of_flow(states, ahead):
+    """Where it flows plastically; `ahead`: how far the horizontal tip has got beyond that without compression, if that is known."""
     _, five, _, last = states
     outer = [float(s.plastic[s.y > 0.5 * s.wall].sum() / max(s.plastic.sum(), 1e-30)) for s in states[1:]]
     arm = five.y > 0.8 * five.wall
@@ -105,6 +111,8 @@ def of_flow(states, beside):
     reach = last.x.max()
     side = last.x > 0.5 * reach
     depth = [s.plastic_depth() for s in states[1:]]
+    unmoved = not ahead or max(np.abs(ahead[:2])) < 0.5 * five.spacing
+    beside = f"; tip ahead of the one without compression by {listed(ahead, 2)} W0 at 5, 10, 15 %" if ahead else ""
     return [
         judge(
             "the deformation for small compressive strains is limited to the vertical arms near the walls",
@@ -118,8 +126,10 @@ def of_flow(states, beside):
         ),
         judge(
             "the shape of the horizontal arms is unaffected",
-            last.plastic[side].max() < 1e-3,
+            last.plastic[side].max() < 1e-3 and unmoved,
             f"largest plastic strain in their outer half {last.plastic[side].max():.1e}" + beside,
+            "the melt that the vertical arms push aside carries the tips along before 10 %",
+            not unmoved,
         ),
         judge(
             "with increasing compression the plastic regions extend further towards the centre",
@@ -131,7 +141,7 @@ def of_flow(states, beside):
 
 def of_stress(states):
     """The core and the layer at the wall."""
-    last = states[-1]
+    first, last = states[0], states[-1]
     centre = [s.where(s.centre(12.0), s.von_mises) for s in states[1:]]
     layer = last.y > last.wall - 2.0
     below = (last.y < last.wall - 5.0) & (last.y > last.wall - 15.0) & (last.x < last.x[layer].max())
@@ -141,19 +151,22 @@ def of_stress(states):
             "the stresses in the centre continually increase",
             centre[0] < centre[1] < centre[2],
             f"von Mises stress within 12 W0 of the centre: {listed(centre)} sigma_Y at 5, 10, 15 %",
+            "they rise until the core yields, and no further",
+            centre[0] < 0.99 <= centre[2],
         ),
         judge(
             "in the centre the yield stress is not reached at 15 %",
             centre[2] < 0.99,
-            f"{centre[2]:.3f} sigma_Y there at 15 %",
-            "the contact with the wall has grown as wide as the arm, which then carries enough to load the core"
-            if centre[2] >= 0.99
-            else "",
+            f"{centre[2]:.3f} sigma_Y there at 15 %; the contact with the wall is {last.x[layer].max():.0f} W0 wide to either side",
+            "the contact with the wall has grown so wide that the arm carries enough to load the core",
+            last.x[layer].max() > 2.0 * first.x[first.y > first.wall - 2.0].max(),
         ),
         judge(
             "a thin layer of solid directly adjacent to the walls stays below the yield stress",
             in_layer > 0.9 and in_layer > in_column,
             f"{100 * in_layer:.0f} % of the layer of 2 W0 at the wall is below 0.99 sigma_Y, {100 * in_column:.0f} % of the column 5 to 15 W0 below it",
+            "most of it does, but hardly more than of the column below",
+            in_layer > max(0.5, in_column),
         ),
     ]
 
@@ -178,14 +191,19 @@ def of_turning(last):
     ]
 
 
-def against_free(run, free):
-    """How far the horizontal tip is from that of the same growth without compression."""
+def ahead_of(free, run):
+    """How far the horizontal tip is beyond that of the same growth without compression, at 5, 10 and 15 %."""
     if free is None:
-        return ""
-    with_walls, without = run.table("tip"), free.table("tip")
-    end = min(with_walls.time[-1], without.time[-1])
-    tips = [float(np.interp(end, t.time, t["position"])) for t in (with_walls, without)]
-    return f"; tip at {tips[0]:.1f} W0, without compression at {tips[1]:.1f} W0"
+        return []
+    times = [compression.time_of(run, share) for share in (0.05, 0.10, 0.15)]
+    tips, others = run.table("tip"), free.table("tip")
+    return [float(np.interp(t, tips.time, tips["position"]) - np.interp(t, others.time, others["position"])) for t in times]
+
+
+def markdown(claims):
+    """The claims as a table for a README."""
+    rows = [(claim.sentence, claim.found, claim.measured) for claim in claims]
+    return "".join(f"| {' | '.join(row)} |\n" for row in [("the paper says", "found", "measured"), ("---",) * 3, *rows])
 
 
 def draw(claims, pyplot, style, title):

@@ -22,6 +22,12 @@ def half_widths(curves, middle, levels):
     return np.array(found)
 
 
+def of_figures13_to_15(results):
+    """The claims about Figs. 13 to 15, from a folder of records."""
+    run, free = results.records("compress_dendrite_noise", ["mpm_pf", "free"])
+    return of_slender_dendrite(run, free, results.optional("compress_dendrite", "mpm_pf"))
+
+
 def of_slender_dendrite(run, free, smooth=None):
     """The claims about Figs. 13 to 15 (contact, 10, 20, 30 % compression); `smooth`: the run of Fig. 12."""
     states = [Compressed(run, c) for c in (0.0, 0.10, 0.20, 0.30)]
@@ -59,6 +65,8 @@ def of_shape(run, free, states):
             "at 10 % small regions near the interface in the necks have reached the yield stress, the inner parts are elastic",
             at_rim > inside,
             f"above 0.99 sigma_Y: {100 * at_rim:.0f} % of the outer quarter of the neck, {100 * inside:.0f} % of its inside",
+            "a band through the neck yields as well as its rim",
+            inside > 0.02,
         ),
         judge(
             "compression makes the vertical arms appear much thicker than without",
@@ -96,6 +104,8 @@ def beside_smooth(strains, turned, smooth):
         sentence,
         strains[2] > 2.0 * strain and turned[2] > 2.0 * angle,
         f"{measured}; Fig. 12 at 15 %: {strain:.2g} and {angle:.0f} degrees",
+        f"at the end they are {strains[2] / strain:.1f} and {turned[2] / angle:.1f} times as large, at twice the compression",
+        strains[2] > strain and turned[2] > angle,
     )
 
 

@@ -212,3 +212,10 @@ class Results:
 
     def record(self, case, run):
         return self.records(case, [run])[0]
+
+    def optional(self, case, run):
+        """The record of a run, or None if there is none."""
+        try:
+            return self.record(case, run)
+        except Missing:
+            return None

@@ -1,12 +1,15 @@
 """Figs. 11 and 12: a dendrite between walls that close in, without noise."""
 
+import numpy as np
 from matplotlib import patches, pyplot
 
+import asymmetry
 import claims
 import compression
 import panels
-import record
 import style
+
+FLOOR = 1e-16  # differences below it are drawn here, so that a logarithmic axis can show that there are none
 
 
 def figure11(results):
@@ -46,13 +49,31 @@ def figure12(results):
 
 def claims12(results):
     """What the paper says about Fig. 12, sentence by sentence, beside the figure."""
-    run = results.record("compress_dendrite", "mpm_pf")
-    try:
-        free = results.record("compress_dendrite", "free")
-    except record.Missing:
-        free = None
-    title = "Sec. 3 on Fig. 12, sentence by sentence"
-    return claims.draw(claims.of_smooth_dendrite(run, free), pyplot, style, title), []
+    return claims.draw(claims.of_figure12(results), pyplot, style, "Sec. 3 on Fig. 12, sentence by sentence"), []
 
 
-FIGURES = {"fig11": figure11, "fig12": figure12, "fig12_claims": claims12}
+def asymmetry12(results):
+    """How symmetry is lost: the run of the whole domain against its own images, at each recorded compression."""
+    run = results.record("compress_dendrite", "whole")
+    times = run.times("outlines", "contour")
+    melt = next(table for table in map(run.table, run.names("tables")) if "compression" in table.columns)
+    percent = 100 * np.interp(times, melt.time, melt["compression"])
+    measured = (
+        ("contour", asymmetry.of_contour, r"largest distance / $\Delta x$", 0.05),
+        ("von Mises stress", asymmetry.of_stress, r"rms difference / $\sigma_Y$", 0.01),
+    )
+    figure, axes = pyplot.subplots(1, 2, figsize=(style.DOUBLE, 2.5), layout="constrained")
+    curves = []
+    for one, (panel, measure, label, limit) in zip(axes, measured):
+        found = [measure(run, time) for time in times]
+        for colour, name in zip(style.SEQUENCE, asymmetry.IMAGES):
+            values = np.array([f[name] for f in found])
+            one.plot(percent, np.maximum(values, FLOOR), "o-", color=colour, label=name)
+            curves.append(panels.Curve(panel, name, percent, values))
+        one.axhline(limit, color=style.GREY, lw=0.7, ls="--")
+        one.set(yscale="log", xlabel="compression / %", ylabel=label, title=panel, ylim=(FLOOR / 3, 1))
+    axes[0].legend(loc="lower right", title=f"{run.scene['domain']['cells'][0]} cells across")
+    return figure, curves
+
+
+FIGURES = {"fig11": figure11, "fig12": figure12, "fig12_claims": claims12, "fig12_asymmetry": asymmetry12}

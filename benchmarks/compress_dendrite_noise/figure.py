@@ -7,7 +7,6 @@ import claims
 import claims_slender
 import compression
 import panels
-import record
 import style
 
 FREE = "free"  # the same noise without compression
@@ -77,13 +76,8 @@ def figure15(results):
 
 def claims13(results):
     """What the paper says about Figs. 13 to 15, sentence by sentence, beside the figures."""
-    run, free = results.records("compress_dendrite_noise", ["mpm_pf", FREE])
-    try:
-        smooth = results.record("compress_dendrite", "mpm_pf")
-    except record.Missing:
-        smooth = None
     title = "Sec. 3 on Figs. 13 to 15, sentence by sentence"
-    return claims.draw(claims_slender.of_slender_dendrite(run, free, smooth), pyplot, style, title), []
+    return claims.draw(claims_slender.of_figures13_to_15(results), pyplot, style, title), []
 
 
 FIGURES = {"fig13": figure13, "fig14": figure14, "fig15": figure15, "fig15_claims": claims13}

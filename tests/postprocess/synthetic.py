@@ -199,42 +199,67 @@ def melt(folder):
                 out.outline("contour", time, [curve])
 
 
-def compressed(folder):
-    steps = [(0.0, 1000.0), (0.05, 1050.0), (0.10, 1100.0), (0.15, 1150.0), (0.20, 1200.0), (0.30, 1300.0)]
+STEPS = [(0.0, 1000.0), (0.05, 1050.0), (0.10, 1100.0), (0.15, 1150.0), (0.20, 1200.0), (0.30, 1300.0)]
+
+
+def compressed_state(out, at, x, y, share, yields, swirl):
+    """One recording of a dendrite pressed in y: fields of the melt on a grid, of the solid at points."""
+    phi = phase(x, y, 150, swirl, 1 - share)
+    grid_x, grid_y = np.meshgrid(x, y)
+    solid = phi > 0
+    height = np.abs(grid_y) / 160 / (1 - share)  # of the material, before it was pressed
+    out.grid("melt", at, x, y, phi=phi, crystal_angle=grid_x * grid_y / 2e5 * share * np.sign(phi))
+    out.points(
+        "solid",
+        at,
+        np.column_stack([grid_x[solid], grid_y[solid]]),
+        von_mises=np.minimum(1, yields * share + height[solid] ** 2),
+        plastic_strain=share * 4 * height[solid] ** 8,
+    )
+
+
+def compressed(folder, yields=3, carried=0.0, swirl=0.0):
+    """Dendrites between walls. `yields`: von Mises stress at the centre per compression; `carried`: how far the melt carries
+    the horizontal tip per compression; `swirl`: angle (radians) by which the whole-domain crystal has turned."""
     quarter = scene_text("compress_dendrite").replace("[600, 400]", "[120, 80]")
     whole = quarter.replace("[domain]", "[domain]\norigin = [-240.0, -160.0]")
     whole = whole.replace("size     = [240.0, 160.0]", "size     = [480.0, 320.0]").replace("[120, 80]", "[240, 160]")
+    in_quarter = np.linspace(0, 240, 151), np.linspace(0, 160, 101)
+    in_whole = np.linspace(-240, 240, 301), np.linspace(-160, 160, 201)
     cases = (
-        ("compress_dendrite", "mpm_pf", quarter, np.linspace(0, 240, 151), np.linspace(0, 160, 101)),
-        ("compress_dendrite_noise", "mpm_pf", whole, np.linspace(-240, 240, 301), np.linspace(-160, 160, 201)),
-        ("compress_dendrite_noise", "free", whole, None, None),
+        ("compress_dendrite", "mpm_pf", quarter, in_quarter),
+        ("compress_dendrite", "free", quarter, None),
+        ("compress_dendrite", "whole", whole, in_whole),
+        ("compress_dendrite_slender", "mpm_pf", quarter, in_quarter),
+        ("compress_dendrite_noise", "mpm_pf", whole, in_whole),
+        ("compress_dendrite_noise", "free", whole, None),
     )
-    for case, run, scene, x, y in cases:
+    time = np.linspace(900, 1300, 81)
+    compression = np.clip((time - 1000) / 1000, 0, None)
+    for case, run, scene, grid in cases:
         with Invented(folder, case, run, scene) as out:
-            time = np.linspace(900, 1300, 81)
-            out.table("walls", time, compression=np.clip((time - 1000) / 1000, 0, None))
-            for share, at in steps:
-                squeeze = 1 - share if run == "mpm_pf" else 1.0
-                out.outline("contour", at, [crystal(150 + 60 * share) * [1, squeeze]])
-                if x is None:
-                    continue
-                phi = phase(x, y, 150, 0.0, squeeze)
-                height = np.abs(np.meshgrid(x, y)[1]) / 160
-                turn = np.prod(np.meshgrid(x, y), axis=0) / 2e5
-                out.grid("melt", at, x, y, phi=phi, crystal_angle=turn * share * np.sign(phi))
-                solid = phi > 0
-                points = np.column_stack([g[solid] for g in np.meshgrid(x, y)])
-                out.points(
-                    "solid",
-                    at,
-                    points,
-                    von_mises=np.minimum(1, 3 * share + height[solid] ** 2),
-                    plastic_strain=share * 4 * height[solid] ** 4,
-                )
+            pressed = run != "free"
+            out.table("melt", time, compression=compression * pressed)
+            out.table("tip", time, position=160 + 0.09 * (time - 1000) + carried * compression * pressed)
+            for share, at in STEPS:
+                turned = swirl if run == "whole" else 0.0
+                out.outline("contour", at, [crystal(150 + 60 * share, turned) * [1, 1 - share * pressed]])
+                if grid:
+                    compressed_state(out, at, *grid, share, yields, turned)
+
+
+def squeezed(folder):
+    time = np.linspace(0, 4.6, 24)
+    force = 25 * np.tanh(time)
+    for run, swing in (("mpm_pf", 0.1), ("mach_1e-3", 5.0), ("mach_3e-3", 40.0), ("fe_reference", 0.0)):
+        with Invented(folder, "dendrite_squeeze", run, scene_text("dendrite_squeeze")) as out:
+            ringing = swing * np.sin(9 * time)
+            out.table("top reaction", time, force_y=-force + ringing, displacement_y=-0.3 * time)
+            out.table("bottom reaction", time, force_y=force + ringing, displacement_y=0 * time)
 
 
 def write_all(folder):
-    for write in (cantilever, tension, shear, melt, compressed):
+    for write in (cantilever, tension, shear, melt, compressed, squeezed):
         write(folder)
 
 

@@ -1,0 +1,127 @@
+#!/usr/bin/python3
+"""Sentences of Sec. 3 are judged as the records deserve, and asymmetry is measured where it is."""
+
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+HERE = pathlib.Path(__file__).resolve().parent
+POSTPROCESS = HERE.parents[1] / "postprocess"
+sys.path[:0] = [str(HERE), str(POSTPROCESS)]
+sys.dont_write_bytecode = True
+
+try:
+    import h5py  # noqa: F401
+    import numpy as np
+    import matplotlib  # noqa: F401
+except ImportError as missing:
+    print(f"SKIPPED: {missing}; install python3-h5py and python3-matplotlib, run with /usr/bin/python3")
+    sys.exit(77)
+
+import asymmetry  # noqa: E402
+import claims  # noqa: E402
+import claims_slender  # noqa: E402
+import record  # noqa: E402
+import synthetic  # noqa: E402
+
+
+class Verdicts(unittest.TestCase):
+    """Of invented dendrites whose stress grows with compression and height, and whose plastic strain is at the walls."""
+
+    def of(self, measure, **dendrite):
+        with tempfile.TemporaryDirectory() as folder:
+            synthetic.compressed(folder, **dendrite)
+            self.claims = measure(record.Results(folder))
+        return {claim.sentence: claim.found for claim in self.claims}
+
+    def test_have_three_words(self):
+        self.assertEqual(claims.judge("", True, "", "of a reason").found, "seen")
+        self.assertEqual(claims.judge("", False, "").found, "not seen")
+        self.assertEqual(claims.judge("", False, "", "it is so").found, "differs because it is so")
+        self.assertEqual(claims.judge("", False, "", "it is so", applies=False).found, "not seen")
+
+    def test_of_a_dendrite_whose_core_stays_elastic(self):
+        found = self.of(claims.of_figure12)
+        self.assertEqual(len(found), 9)
+        self.assertEqual(found["the shape of the horizontal arms is unaffected"], "seen")
+        self.assertEqual(found["the stresses in the centre continually increase"], "seen")
+        self.assertEqual(found["in the centre the yield stress is not reached at 15 %"], "seen")
+        self.assertEqual(found["the deformation for small compressive strains is limited to the vertical arms near the walls"], "seen")
+        self.assertEqual(found["the centres of the vertical arms do not turn, by symmetry"], "seen")
+
+    def test_of_a_layer_that_yields_give_no_reason(self):
+        found = self.of(claims.of_figure12)  # its stress is highest at the wall: no reason of the list applies
+        self.assertEqual(found["a thin layer of solid directly adjacent to the walls stays below the yield stress"], "not seen")
+
+    def test_of_a_core_that_yields_say_why_the_stress_rises_no_more(self):
+        found = self.of(claims.of_figure12, yields=11)
+        self.assertEqual(
+            found["the stresses in the centre continually increase"],
+            "differs because they rise until the core yields, and no further",
+        )
+        self.assertNotEqual(found["in the centre the yield stress is not reached at 15 %"], "seen")
+
+    def test_of_tips_that_the_melt_carries_along(self):
+        sentence = "the shape of the horizontal arms is unaffected"
+        self.assertEqual(self.of(claims.of_figure12, carried=1.0)[sentence], "seen")  # 0.1 W0 at 10 %, a twentieth of a cell
+        self.assertIn("carries the tips along", self.of(claims.of_figure12, carried=30.0)[sentence])
+
+    def test_of_the_slender_dendrite(self):
+        found = self.of(claims_slender.of_figures13_to_15, yields=4)
+        self.assertEqual(len(found), 7)
+        self.assertEqual(found["at 30 % elastic stresses propagate into the horizontal arms"], "seen")
+        self.assertEqual(found["at 20 % the centre starts to yield"], "not seen")  # 0.8 sigma_Y
+        self.assertEqual(self.of(claims_slender.of_figures13_to_15, yields=6)["at 20 % the centre starts to yield"], "seen")
+        self.assertIn(  # the invented strain goes with the compression: twice at 30 % what it is at 15 %
+            "times as large, at twice the compression", found["plastic strains and angle changes are much larger than in Fig. 12"]
+        )
+
+    def test_are_printed_as_the_table_of_a_readme(self):
+        with tempfile.TemporaryDirectory() as folder:
+            synthetic.compressed(folder)
+            said = subprocess.run(
+                [sys.executable, POSTPROCESS / "claims_table.py", folder], capture_output=True, text=True, check=True
+            ).stdout
+        rows = [line for line in said.splitlines() if line.startswith("| ")]
+        self.assertEqual(len(rows), 2 * 2 + 9 + 7)
+        self.assertTrue(all(row.count(" | ") == 2 for row in rows), said)
+
+
+class Asymmetry(unittest.TestCase):
+    def test_is_the_distance_to_the_nearest_edge(self):
+        square = np.array([[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]])
+        points = np.array([[1.0, 0.3], [3.0, 1.0], [3.0, 3.0], [2.0, 2.0]])
+        np.testing.assert_allclose(asymmetry.distances(points, [square], chunk=3), [0.3, 1.0, np.sqrt(2), 0.0], atol=1e-15)
+
+    def test_of_a_swirl_shows_in_the_mirrors_and_not_after_half_a_turn(self):
+        with tempfile.TemporaryDirectory() as folder:
+            synthetic.compressed(folder, swirl=0.02)
+            run = record.Results(folder).record("compress_dendrite", "whole")
+            contour = asymmetry.of_contour(run, 1000.0)
+            run.file.close()
+        self.assertLess(contour["turned by half"], 1e-10)
+        for image in ("mirrored in x", "mirrored in y"):
+            # The flank turns by 0.02 and its image by -0.02: some 0.04 of 100 W0, in cells of 2 W0.
+            self.assertGreater(contour[image], 0.5)
+            self.assertLess(contour[image], 5.0)
+
+    def test_of_stress_is_a_root_mean_square_over_the_yield_stress(self):
+        half = np.random.default_rng(1).uniform((-200, 0), (200, 150), (4000, 2))
+        vertex = np.vstack([half, -half])
+        scene = synthetic.scene_text("compress_dendrite").replace("yield_stress  = 1.0", "yield_stress  = 2.0")
+        scene = scene.replace("[domain]", "[domain]\norigin = [-240.0, -160.0]").replace("[240.0, 160.0]", "[480.0, 320.0]")
+        with tempfile.TemporaryDirectory() as folder:
+            with synthetic.Invented(folder, "case", "whole", scene) as out:  # higher where x and y have one sign
+                out.points("solid", 1.0, vertex, von_mises=1.0 + 0.1 * np.sign(vertex.prod(axis=1)))
+            run = record.Results(folder).record("case", "whole")
+            stress = asymmetry.of_stress(run, 1.0)
+            run.file.close()
+        self.assertLess(stress["turned by half"], 1e-14)
+        self.assertAlmostEqual(stress["mirrored in x"], 0.1, delta=1e-12)
+        self.assertAlmostEqual(stress["mirrored in y"], 0.1, delta=1e-12)
+
+
+if __name__ == "__main__":
+    unittest.main()
