@@ -95,7 +95,7 @@ def of_flow(states, smooth):
 def beside_smooth(strains, turned, smooth):
     """Each at the end of its figure, 30 % here and 15 % in Fig. 12: at least twice as large counts as much larger."""
     sentence = "plastic strains and angle changes are much larger than in Fig. 12"
-    measured = f"99.9 % quantiles at 10, 20, 30 %: {listed(strains, 2)} and {listed(turned, 2)} degrees"
+    measured = f"99.9 % quantiles at 10, 20, 30 %: {listed(strains, 2)} and {listed(turned)} degrees"
     if smooth is None:
         return Claim(sentence, "not judged: Fig. 12's run is not at hand", measured)
     other = Compressed(smooth, 0.15)
