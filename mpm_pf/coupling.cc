@@ -201,7 +201,8 @@ namespace
     if (w.orientation && w.scene->orientation->turning)
     {
       melt::let_vary(*w.orientation, *w.mesh);
-      melt::turn(*w.orientation, *w.velocity, dt, *w.mesh, *w.advection); // Eq. (3)
+      melt::turn(*w.orientation, *w.velocity, dt, *w.mesh, *w.advection,
+                 w.extension.get()); // Eq. (3)
     }
   }
 } // namespace

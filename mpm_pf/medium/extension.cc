@@ -5,7 +5,6 @@
 #include <stdexcept>
 
 #include "medium/nearest_piece.h"
-#include "medium/piece_values.h"
 #include "medium/reinitialisation.h"
 
 namespace medium
@@ -119,12 +118,13 @@ namespace medium
       return now;
     }
 
-    /// From the values at the pieces to all nodes outside the solid.
-    void write(Extension &extension, const std::vector<Field<double> *> &fields,
-               const PieceFit &how, const Mesh &mesh)
+    /// From the values at the pieces, which are returned, to all nodes outside the solid.
+    std::vector<std::vector<PieceValue>> write(Extension &extension,
+                                               const std::vector<Field<double> *> &fields,
+                                               const PieceFit &how, const Mesh &mesh)
     {
       const std::vector<int> now = renumber(extension, mesh);
-      const auto values = piece_values(extension.distance, fields, how, mesh);
+      auto values = piece_values(extension.distance, fields, how, mesh);
       for (std::size_t f = 0; f < fields.size(); ++f)
       {
         extension.far_value.resize(now.size());
@@ -134,6 +134,7 @@ namespace medium
         if (extension.method == scene::ExtensionMethod::pde)
           march_extension(*fields[f], extension.distance, how.material, how.depth, mesh);
       }
+      return values;
     }
   } // namespace
 
@@ -156,7 +157,8 @@ namespace medium
       reinitialise(distance, phi, extension.front_width, mesh);
     if (afresh)
       draw_map(extension, mesh);
-    write(extension, fields, {material, extension.depth, Approach::linear}, mesh);
+    extension.at_pieces =
+        write(extension, fields, {material, extension.depth, Approach::linear}, mesh);
   }
 
   void extend_remembered(Extension &extension, const std::vector<Field<double> *> &fields,

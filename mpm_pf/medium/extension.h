@@ -18,7 +18,7 @@
 
 #include <vector>
 
-#include "medium/distance.h"
+#include "medium/piece_values.h"
 
 namespace medium
 {
@@ -37,6 +37,8 @@ namespace medium
     Field<int> nearest_piece;      // at every node: the map, numbered as when it was drawn
     std::vector<Point> drawn;      // places of the pieces then
     std::vector<double> far_value; // scratch: values by those numbers
+    /// What the solid knows at the contour of the fields extended last, by field and piece.
+    std::vector<std::vector<PieceValue>> at_pieces;
   };
 
   /// Gives every node outside the solid a value of each of `fields` (any unit); nodes in the solid

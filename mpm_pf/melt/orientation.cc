@@ -1,5 +1,6 @@
 #include "melt/orientation.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace melt
@@ -35,6 +36,57 @@ namespace melt
       const double c2 = (c - s) * (c + s), s2 = 2. * c * s;
       cosine = (c2 - s2) * (c2 + s2);
       sine = 2. * c2 * s2;
+    }
+
+    /// Eq. (3), spin: dt/2 (dv/dx - du/dy) from centred differences along one row.
+    struct Spin
+    {
+      const double *v, *above, *below; // v of the row; u of the rows beside it
+      double x, y;                     // dt/(4 h)
+      Spin(const medium::Velocity &velocity, const int j, const double dt, const Mesh &mesh)
+          : v(velocity.y.row(j)), above(velocity.x.row(j + 1)), below(velocity.x.row(j - 1)),
+            x(dt / (4. * mesh.spacing[0])), y(dt / (4. * mesh.spacing[1]))
+      {
+      }
+      double at(const int i) const { return x * (v[i + 1] - v[i - 1]) - y * (above[i] - below[i]); }
+    };
+
+    /// Does the difference at node (i, j) of the solid reach into the melt? Sides are mirrors.
+    bool reaches_out(const Field<double> &psi, const int i, const int j)
+    {
+      const int left = std::max(i - 1, 0), right = std::min(i + 1, psi.nodes(0) - 1);
+      const int below = std::max(j - 1, 0), above = std::min(j + 1, psi.nodes(1) - 1);
+      return psi(i, j) >= 0. &&
+             std::min({psi(left, j), psi(right, j), psi(i, below), psi(i, above)}) < 0.;
+    }
+
+    /// Extended without slope across the front, the velocity of the melt says nothing of how the
+    /// solid turns: a difference over the front loses up to half of the normal derivative, and the
+    /// melt inherits what comes of it. Solid nodes there take the spin of the line that was fitted
+    /// to the solid alone; a piece that knows no gradient (a tip of one row of nodes) leaves them
+    /// the difference.
+    void spin_of_the_solid(Field<double> &angle, const medium::Velocity &velocity, const double dt,
+                           const Mesh &mesh, const medium::Extension &front)
+    {
+      const medium::Distance &distance = front.distance;
+      const medium::Tiles &tiles = distance.close;
+#pragma omp parallel for schedule(static)
+      for (int j = 0; j < mesh.nodes[1]; ++j)
+      {
+        const Spin across(velocity, j, dt, mesh);
+        for (int column = 0; column < tiles.columns; ++column)
+          if (tiles.at(column, j / medium::Tiles::height) == medium::Activity::active)
+            for (int i = tiles.first_node(column); i < tiles.end_node(column); ++i)
+            {
+              const int owner = distance.piece(i, j);
+              if (owner < 0 || !reaches_out(distance.psi, i, j))
+                continue;
+              const medium::PieceValue &u = front.at_pieces[0][static_cast<std::size_t>(owner)],
+                                       &v = front.at_pieces[1][static_cast<std::size_t>(owner)];
+              if (u.slope_x != 0. || u.slope_y != 0. || v.slope_x != 0. || v.slope_y != 0.)
+                angle(i, j) += 0.5 * dt * (v.slope_x - u.slope_y) - across.at(i);
+            }
+      }
     }
   } // namespace
 
@@ -89,21 +141,21 @@ namespace melt
   }
 
   void turn(Orientation &orientation, const medium::Velocity &velocity, double dt, const Mesh &mesh,
-            medium::Advection &advection)
+            medium::Advection &advection, const medium::Extension *const front)
   {
     let_vary(orientation, mesh);
     advection.advect(orientation.angle, orientation.gradients, velocity, dt);
-    const double x = dt / (4. * mesh.spacing[0]), y = dt / (4. * mesh.spacing[1]);
 #pragma omp parallel for schedule(static)
     for (int j = 0; j < mesh.nodes[1]; ++j)
     {
-      const double *v = velocity.y.row(j);
-      const double *above = velocity.x.row(j + 1), *below = velocity.x.row(j - 1);
+      const Spin spin(velocity, j, dt, mesh);
       double *angle = orientation.angle.row(j);
 #pragma omp simd
       for (int i = 0; i < mesh.nodes[0]; ++i)
-        angle[i] += x * (v[i + 1] - v[i - 1]) - y * (above[i] - below[i]); // Eq. (3), spin
+        angle[i] += spin.at(i);
     }
+    if (front)
+      spin_of_the_solid(orientation.angle, velocity, dt, mesh, *front);
     refresh(orientation, mesh);
   }
 } // namespace melt

@@ -17,6 +17,7 @@
 #pragma once
 
 #include "medium/advection.h"
+#include "medium/extension.h"
 #include "medium/field.h"
 
 namespace melt
@@ -56,6 +57,9 @@ namespace melt
   void refresh(Orientation &, const Mesh &);
 
   /// Eq. (3) over dt: advects the angle and adds the spin at the departure's arrival node, then
-  /// refreshes. Ghosts of `velocity` must be filled.
-  void turn(Orientation &, const medium::Velocity &, double dt, const Mesh &, medium::Advection &);
+  /// refreshes. Ghosts of `velocity` must be filled. `front`, if not null, is what the velocity was
+  /// extended into the melt with, x then y: the solid's spin is then that of the solid right up to
+  /// its front.
+  void turn(Orientation &, const medium::Velocity &, double dt, const Mesh &, medium::Advection &,
+            const medium::Extension *front = nullptr);
 } // namespace melt

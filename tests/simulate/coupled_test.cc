@@ -140,16 +140,21 @@ TEST(Coupled, ACrystalWithoutWallsStartsWithItsBodysVelocity)
   EXPECT_NEAR(value("momentum_x"), 0.1 * value("mass"), 1e-3 * value("mass"));
   EXPECT_NEAR(value("momentum_y"), 0., 1e-3 * value("mass"));
   EXPECT_NEAR(value("energy_balance"), 0., 0.01 * value("kinetic_energy"));
-  double x = 0., area = 0., angle = 0.;
+  double x = 0., area = 0.;
   for (int j = 0; j < world.mesh->nodes[1]; ++j)
     for (int i = 0; i < world.mesh->nodes[0]; ++i)
       if (world.phase->value(i, j) > 0.)
-      {
         area += 1., x += world.mesh->position(i, j)[0];
-        angle += world.orientation->angle(i, j);
-      }
   EXPECT_NEAR(x / area, 0.1 * world.time, 0.1);
-  EXPECT_NEAR(angle / area, 0.02 * world.time, 0.03 * 0.02 * world.time);
+  // Inside, at the front and in the melt, whose growth reads the angle: half the curl over the
+  // front would leave the outermost nodes up to a tenth behind.
+  const double turned = 0.02 * world.time;
+  for (int j = 0; j < world.mesh->nodes[1]; ++j)
+    for (int i = 0; i < world.mesh->nodes[0]; ++i)
+      if (world.phase->value(i, j) > -0.99)
+      {
+        ASSERT_NEAR(world.orientation->angle(i, j), turned, 0.005 * turned) << i << ' ' << j;
+      }
 }
 
 TEST(Coupled, AWallThatNeverStartedIsSaid)
