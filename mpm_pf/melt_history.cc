@@ -129,6 +129,10 @@ HistoryColumns melt_history(const World &world)
     row.add("theta_min", "L/cp", spread.min);
     row.add("theta_max", "L/cp", spread.max);
     row.add("heat_content", "L/cp " + length + "^2", heat_content(world));
+    if (world.advection)
+      row.add("carried_heat", "L/cp " + length + "^2", world.heat->carried);
+    if (world.advection && world.phase)
+      row.add("carried_phase", length + "^2", world.phase->carried);
   }
   if (world.growth)
     row.add("active_tiles", "1",

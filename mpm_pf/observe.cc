@@ -78,7 +78,9 @@ namespace
     row.add("compression", "1", medium::compression(*world.walls));
     const std::string length = scene::unit_text(scene::Dimension::length, world.scene->units);
     row.add("swept_heat", "L/cp " + length + "^2", world.walls->swept_heat);
-    if (world.phase) // heat_content + swept_heat - swept_phase/2 is what is to be kept
+    // heat_content + swept_heat - swept_phase/2 is kept but for what advection adds to it, which is
+    // carried_heat - carried_phase/2 (melt_history.h).
+    if (world.phase)
       row.add("swept_phase", length + "^2", world.walls->swept_phase);
     for (const auto &wall : world.walls->walls)
       row.add(column_name(solid::wall_name(wall.side)) + "_position", length, wall.position);

@@ -25,6 +25,7 @@ struct CarriedField
 {
   medium::Field<double> value;
   medium::Gradients gradients;
+  double carried = 0.; // what advection has added to the integral, unit of the field times length^2
 };
 
 struct World

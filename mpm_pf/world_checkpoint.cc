@@ -65,6 +65,9 @@ void save(const World &world, record::CheckpointTarget &checkpoint)
 {
   for_each_field(world, [&](const std::string &name, const Field<double> &field)
                  { put(checkpoint, name, field); });
+  if (world.advection && world.heat)
+    checkpoint.put("carried", std::vector<double>{world.heat->carried,
+                                                  world.phase ? world.phase->carried : 0.});
   if (world.growth)
     checkpoint.put("growth steps", static_cast<double>(world.growth->steps_taken()));
   if (world.walls)
@@ -80,6 +83,13 @@ void restore(World &world, const record::Checkpoint &checkpoint)
 {
   for_each_field(world, [&](const std::string &name, Field<double> &field)
                  { get(checkpoint, name, *world.mesh, field); });
+  if (world.advection && world.heat)
+  {
+    const auto &carried = checkpoint.get<double>("carried");
+    world.heat->carried = carried.at(0);
+    if (world.phase)
+      world.phase->carried = carried.at(1);
+  }
   if (world.growth)
     world.growth->restore_steps_taken(static_cast<long>(checkpoint.number("growth steps")));
   if (world.walls)
