@@ -82,11 +82,15 @@ namespace solid
     }
   } // namespace
 
+  double energy_balance(const Solid &solid)
+  {
+    return balance(solid, kinetic_energy(solid), elastic_energy(solid));
+  }
+
   double missing_energy(const Solid &solid)
   {
     const double largest = solid.energy.largest;
-    return largest > 0. ? balance(solid, kinetic_energy(solid), elastic_energy(solid)) / largest
-                        : 0.;
+    return largest > 0. ? energy_balance(solid) / largest : 0.;
   }
 
   History history(const Solid &solid)

@@ -14,6 +14,8 @@ namespace solid
   Point momentum(const Solid &);
   double area(const Solid &);
   double mass(const Solid &);
+  /// What the account above lacks; negative where more is there than was ever given.
+  double energy_balance(const Solid &);
 
   /// Largest speed and energy of points that have just been made: what the account starts from.
   void begin_account(Solid &);
