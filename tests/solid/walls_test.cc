@@ -222,25 +222,6 @@ TEST(Walls, ComingFromAfarPressAsFromContact)
   }
 }
 
-TEST(Walls, NoPointGetsPastAFastOne)
-{
-  scene::Scene scene = block(scene::WallGrip::slip);
-  scene.bodies.push_back(grown::rectangle({1.7, 1.5}, {dx, dx})); // a crumb that is swept along
-  Press press(scene);
-  const double fast = 0.05 * press.solid.material.wave_speed();
-  press.close(0.3, 1.95);
-  const double transits = 0.5 / fast * press.solid.material.wave_speed();
-  press.move(
-      transits, 25,
-      [](const Edge side, const double s) { return side == Edge::top ? 1.95 - 0.5 * s : 0.3; },
-      [&](const double)
-      {
-        const double top = press.position.at(Edge::top);
-        for (std::size_t p = 0; p < press.solid.points.size(); ++p)
-          ASSERT_LE(press.solid.points.y[p], top);
-      });
-}
-
 TEST(Walls, AQuarterGivesHalfTheForce)
 {
   Press whole(block(scene::WallGrip::grip));
