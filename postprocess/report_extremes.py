@@ -114,25 +114,35 @@ def picture(stability_map, commands_too=True):
     return head + "".join(parts) + "</svg>"
 
 
+def number_or_dash(value):
+    return "–" if value is None else f"{value:.4g}"
+
+
 def edges(stability_map):
+    """Table of the edges of stability, and what of them lies outside the bounds that the map sets."""
     rows = []
     for edge in stability_map["edges"]:
         value = stability_map["y"]["values"][edge["row"]] if stability_map["y"]["values"] else ""
-        theory = "–" if edge.get("theory") is None else f"{edge['theory']:.4g}"
-        rows.append(f"<tr><td>{escape(str(value))}</td><td class='n'>{edge['stable']:.4g}</td><td class='n'>{edge['unstable']:.4g}</td><td class='n'>{theory}</td></tr>")
+        numbers = "".join(f"<td class='n'>{number_or_dash(edge.get(key))}</td>" for key in ("stable", "unstable", "theory", "ratio"))
+        rows.append(f"<tr><td>{escape(str(value))}</td>{numbers}</tr>")
+    broken = "".join(f"<p><b>outside its bounds: {escape(sentence)}</b></p>" for sentence in stability_map.get("broken", []))
     if not rows:
-        return ""
-    head = f"<tr><th>{escape(stability_map['y']['label'])}</th><th class='n'>stable at</th><th class='n'>unstable at</th><th class='n'>theory</th></tr>"
-    return f"<table class='narrow'>{head}{''.join(rows)}</table>"
+        return broken
+    bounds = stability_map.get("edge_bounds")
+    within = f" ({bounds[0]:g} – {bounds[1]:g})" if bounds else ""
+    words = ("stable at", "unstable at", "theory", f"edge over theory{within}")
+    head = f"<tr><th>{escape(stability_map['y']['label'])}</th>" + "".join(f"<th class='n'>{word}</th>" for word in words) + "</tr>"
+    return f"<table class='narrow'>{head}{''.join(rows)}</table>{broken}"
 
 
 def commands(stability_map):
     lines = "".join(
         f"<tr><td>{escape(str(c['x']))}</td><td>{escape(str(c['y']))}</td><td>{escape(c['class'])}</td><td>{escape(reason(c))}</td><td class='command'><code>{escape(c['repeat'])}</code></td></tr>"
-        for c in stability_map["cells"]
+        for c in stability_map["cells"] + stability_map.get("bisected", [])
     )
     head = "".join(f"<th>{escape(name)}</th>" for name in (stability_map["x"]["label"], stability_map["y"]["label"] or "", "class", "why", "repeat with"))
-    return f"<details><summary>every cell is a command</summary><div class='scroll'><table><tr>{head}</tr>{lines}</table></div></details>"
+    between = ", also those between two that the edge was found by" if stability_map.get("bisected") else ""
+    return f"<details><summary>every cell is a command{between}</summary><div class='scroll'><table><tr>{head}</tr>{lines}</table></div></details>"
 
 
 def page(stability):

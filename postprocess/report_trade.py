@@ -2,7 +2,7 @@
 """The work-precision pages of the report, from DIR/tradeoff/<case>.json as `verify tradeoff` writes it.
 
 One plot per quantity and norm, chosen with a menu: error against CPU seconds, one colour per family, what is dominated pale, the Pareto
-front of each solver dashed; runs that diverged or ran out of time stand as crosses at the upper edge, at the cost they had.
+front of each solver dashed; runs that diverged, ran out of time or were refused stand as crosses at the upper edge, at the cost they had.
 
     postprocess/report_trade.py RESULTS_DIR CASE FILE.svg      the figure of the case's first measure, by itself
 """
@@ -13,6 +13,8 @@ from html import escape
 from pathlib import Path
 
 from svgplot import COLOURS, Plot, standalone
+
+LOST = ("diverged", "timed out", "failed", "bad input")  # runs that gave no answer
 
 
 def pareto_front(rows):
@@ -50,7 +52,7 @@ def fronts(rows, measure):
 def plot(trade, measure):
     """SVG of one measure ("quantity, norm")."""
     good = [row for row in trade["rows"] if row["errors"].get(measure)]
-    lost = [row for row in trade["rows"] if not row["errors"].get(measure) and row["status"] in ("diverged", "timed out", "failed")]
+    lost = [row for row in trade["rows"] if not row["errors"].get(measure) and row["status"] in LOST]
     picture = Plot("CPU seconds", f"error: {measure}", log_x=True, log_y=True, size=(860, 420), legend_width=230)
     best = fronts(good, measure)
     for solver, rows in best.items():
@@ -95,7 +97,7 @@ def table(trade):
         memory = row["peak_rss_bytes"] / 1e6
         spread = f' ± {row["cpu_spread_s"]:.2g}' if row.get("cpu_spread_s") else ""
         lines.append(
-            f'<tr><td>{escape(row["family"])}</td><td>{escape(settings(row))}</td><td>{escape(row["status"])}</td>'
+            f'<tr><td>{escape(row["family"])}</td><td>{escape(settings(row))}</td><td title="{escape(" ".join(row.get("why", [])))}">{escape(row["status"])}</td>'
             f'<td class="n">{row["cpu_s"]:.3g}{spread}</td><td class="n">{row["wall_s"]:.3g}</td><td class="n">{memory:.0f}</td>{cells}'
             f'<td><details><summary>repeat</summary><code>{escape(row["repeat"])}</code></details></td></tr>'
         )
@@ -115,7 +117,7 @@ def page(trade):
     made = trade["provenance"]
     note = (
         f'Suite {escape(trade["suite"])}; reference: {escape(trade["reference"]["text"])}. Filled: on the front; pale: dominated; '
-        f'crosses at the upper edge: diverged or out of time. Errors below the line of the reference\'s uncertainty, where there is one, cannot be told '
+        f'crosses at the upper edge: diverged, out of time or refused. Errors below the line of the reference\'s uncertainty, where there is one, cannot be told '
         f'apart; an error of zero has no place on these axes. {escape(made.get("start", ""))}, commit <code>{escape(made.get("commit", ""))}</code>.'
     )
     return f'<p class="quiet">{note}</p><div>error in <select aria-label="norm, {escape(case)}" onchange="{escape(shown)}">{options}</select>{figures}</div>{table(trade)}'

@@ -18,6 +18,7 @@ namespace verify
   {
     constexpr double short_run_s = 1.; // below it one run says little: one warm-up, median of three
     constexpr int repetitions = 3;
+    const std::string bad_input = "bad input"; // status of a run whose solver refused its settings
 
     struct Cost
     {
@@ -171,6 +172,8 @@ namespace verify
         const std::size_t i = first + r;
         Json row = row_to_json(trade.rows[r], jobs[i], outcomes[i], costs[i]);
         row["why"] = Json::array();
+        if (outcomes[i].status == bad_input)
+          row["why"].push_back(outcomes[i].last_words);
         row["errors"] = errors_of(trade, trade.rows[r], records, result["reference"]["uncertainty"],
                                   row["why"]);
         result["rows"].push_back(row);
@@ -192,10 +195,18 @@ namespace verify
       }
     }
 
-    /// 1 if there is a measure in which no row has an error.
+    /// 2 if a row was refused, for nobody wants to trade what does not exist; 1 if there is a
+    /// measure in which no row has an error.
     int usable(const Json &result)
     {
       int code = 0;
+      for (const auto &row : result["rows"])
+        if (row["status"] == bad_input)
+        {
+          fmt::print("a row of `{}` was refused:\n{}\n", row["family"].get<std::string>(),
+                     row["why"].front().get<std::string>());
+          code = 2;
+        }
       for (const std::string measure : result["measures"])
       {
         const auto &rows = result["rows"];
@@ -203,7 +214,7 @@ namespace verify
                         [&](const Json &row) { return row["errors"][measure].is_number(); }))
           continue;
         fmt::print("no row has an error in `{}`\n", measure);
-        code = 1;
+        code = std::max(code, 1);
       }
       return code;
     }

@@ -74,6 +74,21 @@ class Pictures(unittest.TestCase):
         self.assertIn("exactly zero", report_trade.page({**TRADE, "rows": [{**ROW, "errors": {"tip, relative": 0.0}}]}))
         self.assertIn("<svg", report_trade.page({**TRADE, "rows": [{**ROW, "errors": {"tip, relative": 0.1}}]}))
 
+    def test_a_refused_row_is_drawn_and_says_why(self):
+        good = {**ROW, "errors": {"tip, relative": 0.1}}
+        refused = {**ROW, "family": "no such key", "status": "bad input", "why": ["no key advection.interval"], "errors": {"tip, relative": None}}
+        page = report_trade.page({**TRADE, "rows": [good, refused]})
+        self.assertIn("no such key: as in the scene; error no answer: bad input", page)
+        self.assertIn('<td title="no key advection.interval">bad input</td>', page)
+
+    def test_an_edge_is_held_against_theory_and_its_cells_are_commands(self):
+        edge = {**MAP["edges"][0], "theory": 6e12, "ratio": 1.0833}
+        between = {**MAP["cells"][0], "x": "6.5e12", "class": "accurate", "repeat": "once more"}
+        page = report_extremes.page({"maps": [{**MAP, "edges": [edge], "edge_bounds": [0.9, 1.05], "broken": ["row 0: too far"], "bisected": [between]}]})
+        for words in ("edge over theory (0.9 – 1.05)", "1.083", "outside its bounds: row 0: too far", "<code>once more</code>"):
+            self.assertIn(words, page)
+        self.assertNotIn("outside", report_extremes.page({"maps": [MAP]}))
+
 
 class Page(unittest.TestCase):
     def test_what_failed_is_named_case_by_case(self):

@@ -216,6 +216,24 @@ TEST(Tradeoff, FailsWhereNoRowHasAnError)
   EXPECT_EQ(tradeoff(w.places(), "bar", w.options()), 1);
 }
 
+// What is refused is no point of a trade: a key that is gone would otherwise fade from the page.
+TEST(Tradeoff, FailsWhereARowIsRefusedAndSaysWhy)
+{
+  const Workspace w;
+  w.write("cases/bar/expect.toml", "title = \"bar\"\n[[run]]\nsolver = \"mpm_pf\"\n");
+  w.write("cases/bar/tradeoff.toml",
+          "[[quantity]]\nname = \"q\"\ntake = {number = \"largest\"}\nagainst = {number = 1}\n"
+          "norms = [\"relative\"]\n[[family]]\nname = \"f\"\nlists = {\"fake.exit\" = [0, 2]}\n");
+  testing::internal::CaptureStdout();
+  EXPECT_EQ(tradeoff(w.places(), "bar", w.options()), 2);
+  const std::string said = testing::internal::GetCapturedStdout();
+  EXPECT_NE(said.find("a row of `f` was refused"), std::string::npos) << said;
+  const auto rows = nlohmann::json::parse(w.read("results/tradeoff/bar.json"))["rows"];
+  EXPECT_EQ(rows[0]["status"], "complete");
+  EXPECT_EQ(rows[1]["status"], "bad input");
+  EXPECT_NE(rows[1]["why"].dump().find("fake trouble of kind 2"), std::string::npos) << rows[1];
+}
+
 TEST(Advice, CallsTheErrorOfALoneReferenceUnknown)
 {
   const Workspace w;
