@@ -78,8 +78,7 @@ namespace verify
       {
         check_output(result.c.runs[i], result.jobs[i], result.outcomes[i]);
         if (result.outcomes[i].status == "diverged")
-          result.outcomes[i].last_words +=
-              nearest_safe_setting(output, result.c.name, result.c.runs[i]);
+          result.outcomes[i].last_words += nearest_safe_setting(output, result.c, result.c.runs[i]);
         if (!result.outcomes[i].good())
           unusable[result.c.runs[i].name] = fmt::format(
               "{} (exit code {})", result.outcomes[i].status, result.outcomes[i].exit_code);

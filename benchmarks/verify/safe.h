@@ -7,8 +7,10 @@
 
 namespace verify
 {
-  /// One sentence per map of <output>/stability/<case>.json that varies a setting of the run: the
-  /// nearest accurate (else bounded) value of that setting. "" if no map knows better.
-  std::string nearest_safe_setting(const std::string &output, const std::string &case_name,
-                                   const Run &);
+  /// One sentence per map of the case and axis that varies a setting of the run: the accurate (else
+  /// bounded) cell nearest to it, the other axis staying where the run has it, to the nearest cell.
+  /// The run's own values are those of its scene with the settings, or the defaults. The maps are
+  /// those of <output>/stability/<case>.json, else of the folder of another suite beside it, where
+  /// `verify stability` writes without --output. "" if no map knows better.
+  std::string nearest_safe_setting(const std::string &output, const Case &, const Run &);
 } // namespace verify

@@ -21,24 +21,26 @@ namespace verify
       return setting;
     }
 
-    /// "{value}" becomes the value; of a list "{0}", "{1}", ... become its entries.
-    std::string with_value(std::string setting, const std::string &value)
+    void add_axis(Constants &constants, const std::string &name, const Axis &axis,
+                  const std::string &value)
     {
-      setting = with_word(setting, "{value}", value);
-      int k = 0;
-      for (const auto &entry : entries_of(value))
-        setting = with_word(setting, fmt::format("{{{}}}", k++), entry);
-      return setting;
-    }
-
-    void add_axis(Constants &constants, const std::string &name, const std::string &value)
-    {
+      if (value == absent_value && axis.absent)
+        constants.emplace_back(name, *axis.absent);
       char *end = nullptr;
       const double number = std::strtod(value.c_str(), &end);
       if (!value.empty() && *end == '\0')
         constants.emplace_back(name, number);
     }
   } // namespace
+
+  std::string with_value(std::string setting, const std::string &value)
+  {
+    setting = with_word(setting, "{value}", value == absent_value ? "" : value);
+    int k = 0;
+    for (const auto &entry : entries_of(value))
+      setting = with_word(setting, fmt::format("{{{}}}", k++), entry);
+    return setting;
+  }
 
   std::vector<std::string> entries_of(const std::string &value)
   {
@@ -55,7 +57,7 @@ namespace verify
                     const std::string &y) const
   {
     Cell result;
-    result.map = map.name;
+    result.map = &map;
     result.x = x;
     result.y = y;
     Run run;
@@ -120,12 +122,12 @@ namespace verify
     }
     cell.kind = "not judged"; // unless something is asked of this map
     bool judged = false;
-    add_axis(c.constants, "axis_x", cell.x);
-    add_axis(c.constants, "axis_y", cell.y);
+    add_axis(c.constants, "axis_x", cell.map->x, cell.x);
+    add_axis(c.constants, "axis_y", cell.map->y, cell.y);
     for (const auto &accurate : stability.accurate)
     {
       if (!accurate.maps.empty() &&
-          std::count(accurate.maps.begin(), accurate.maps.end(), cell.map) == 0)
+          std::count(accurate.maps.begin(), accurate.maps.end(), cell.map->name) == 0)
         continue;
       Check check = accurate.check;
       if (!judged)
@@ -165,8 +167,7 @@ namespace verify
 
   std::vector<Cell> Mapper::grid(const Map &map, const std::size_t number) const
   {
-    const std::vector<std::string> rows =
-        map.y.values.empty() ? std::vector<std::string>{""} : map.y.values;
+    const auto rows = map.rows();
     std::vector<Cell> cells;
     for (std::size_t j = 0; j < rows.size(); ++j)
       for (std::size_t i = 0; i < map.x.values.size(); ++i)

@@ -12,8 +12,9 @@ namespace verify
 {
   struct Cell
   {
+    const Map *map = nullptr; // never null once made
     std::size_t column = 0, row = 0;
-    std::string map, x, y, name, kind, why;
+    std::string x, y, name, kind, why;
     Job job;
     Outcome outcome;
     bool stable() const { return kind == "accurate" || kind == "bounded but wrong"; }
@@ -24,6 +25,10 @@ namespace verify
 
   /// "[0.1, 2]" -> "0.1", "2"; nothing of a value that is no list.
   std::vector<std::string> entries_of(const std::string &value);
+
+  /// A setting of an axis at a value: "{value}" becomes the value (nothing, if that is `absent`),
+  /// of a list "{0}", "{1}", ... become its entries.
+  std::string with_value(std::string setting, const std::string &value);
 
   /// Makes, runs and classifies cells. Classes: accurate, bounded but wrong, growing energy,
   /// diverged, out of time, refused, not judged (its record lacks what the classes are read from).

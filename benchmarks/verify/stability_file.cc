@@ -14,6 +14,12 @@ namespace verify
   namespace fs = std::filesystem;
   namespace
   {
+    std::string without_quotes(const std::string &literal)
+    {
+      const bool quoted = literal.size() > 1 && literal.front() == '"' && literal.back() == '"';
+      return quoted ? literal.substr(1, literal.size() - 2) : literal;
+    }
+
     Axis read_axis(Section &map, const std::string &key)
     {
       Axis axis;
@@ -30,6 +36,10 @@ namespace verify
       axis.values = section->literals("values");
       if (axis.values.empty())
         section->complain("", "an axis needs `values`");
+      for (auto &value : axis.values)
+        if (without_quotes(value) == absent_value)
+          value = absent_value;
+      axis.absent = section->number("absent");
       axis.logarithmic = section->text("spacing", "linear") == "logarithmic";
       section->refuse_unused();
       return axis;
@@ -81,6 +91,29 @@ namespace verify
       return watch;
     }
 
+    void read_theory(Section &section, Map &map)
+    {
+      if (section.is_section("theory"))
+      {
+        auto rows = *section.section("theory");
+        for (const auto &word : rows.keys())
+          map.theory[word] = rows.expression(word).value_or("");
+      }
+      else if (const auto theory = section.expression("theory"))
+        map.theory[""] = *theory;
+      const auto edge = section.expressions("edge");
+      if (edge.empty())
+        return;
+      if (edge.size() != 2 || map.theory.empty())
+        section.complain("edge",
+                         "`edge` is [low, high], what the edge of stability over `theory` "
+                         "must lie between",
+                         "give both numbers, and `theory`");
+      else
+        map.edge = std::array<double, 2>{value_of(section, "edge", edge[0], {}),
+                                         value_of(section, "edge", edge[1], {})};
+    }
+
     Map read_map(Section &section, const Case &c)
     {
       Map map;
@@ -95,11 +128,18 @@ namespace verify
       if (map.x.values.empty())
         section.complain("", "a map needs its axis `x`");
       map.bisections = static_cast<int>(section.number("bisections").value_or(0));
-      map.theory = section.expression("theory").value_or("");
+      read_theory(section, map);
       map.time_limit_s = section.number("time_limit_s").value_or(60.);
       return map;
     }
   } // namespace
+
+  const std::string absent_value = "absent";
+
+  std::vector<std::string> Map::rows() const
+  {
+    return y.values.empty() ? std::vector<std::string>{""} : y.values;
+  }
 
   Stability read_stability(const std::string &folder, const std::string &suite)
   {

@@ -2,6 +2,8 @@
 // (README.md defines the format).
 #pragma once
 
+#include <array>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,14 +12,19 @@
 
 namespace verify
 {
-  /// One axis of a map: the settings of each value. "{value}" in a setting stands for the value.
+  /// One axis of a map: the settings of each value. "{value}" in a setting stands for the value; of
+  /// the value `absent` nothing stands there, which takes the key away.
   struct Axis
   {
     std::string label;
     std::vector<std::string> values; // as TOML text
     std::vector<std::string> set;    // "key={value}"
     bool logarithmic = false;        // where bisection meets: geometric mean
+    std::optional<double> absent;    // what `absent` counts as in expressions
   };
+
+  /// Name of the value that takes a key away.
+  extern const std::string absent_value;
 
   /// What tells growing energy: max |of| over the last half of the run against `limit`, or `growth`
   /// times the first half.
@@ -34,8 +41,14 @@ namespace verify
     std::vector<std::string> set;
     Axis x, y;
     int bisections = 0;
-    std::string theory; // expression of y: the theoretical limit on x
+    /// The theoretical limit on x, an expression of y: of the rows with this word for y; under ""
+    /// of all others.
+    std::map<std::string, std::string> theory;
+    std::optional<std::array<double, 2>> edge; // what edge over theory must lie between
     double time_limit_s = 60.;
+
+    /// Values of y, "" where there is no such axis.
+    std::vector<std::string> rows() const;
   };
 
   /// What must hold for "accurate", in the maps named (none: in all). Its expressions know axis_x

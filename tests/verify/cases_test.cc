@@ -5,9 +5,10 @@
 
 #include "expect.h"
 #include "places.h"
+#include "scene/reader.h"
 #include "section.h"
-#include "stability_file.h"
-#include "trade_file.h"
+#include "stability_cells.h"
+#include "trade_default.h"
 
 namespace fs = std::filesystem;
 
@@ -33,6 +34,43 @@ namespace
           ADD_FAILURE() << error.what();
         }
     return count;
+  }
+
+  /// What the scene language says against a run's settings; "" if nothing.
+  std::string refusal(const std::string &folder, const std::string &scene,
+                      const std::vector<std::string> &set)
+  {
+    try
+    {
+      scene::read_scene(folder + "/" + scene, set);
+    }
+    catch (const scene::BadScene &error)
+    {
+      return error.what();
+    }
+    return "";
+  }
+
+  /// Every cell of the maps of a suite: visit(case, map, settings of the cell).
+  template <class Visit>
+  void visit_cells(const std::string &suite, const Visit &visit)
+  {
+    read_all("stability.toml",
+             [&](const std::string &folder)
+             {
+               const auto maps = verify::read_stability(folder, suite).maps;
+               for (const auto &map : maps)
+                 for (const auto &x : map.x.values)
+                   for (const auto &y : map.rows())
+                   {
+                     auto set = map.set;
+                     for (const auto &setting : map.x.set)
+                       set.push_back(verify::with_value(setting, x));
+                     for (const auto &setting : map.y.set)
+                       set.push_back(verify::with_value(setting, y));
+                     visit(folder, map, set);
+                   }
+             });
   }
 } // namespace
 
@@ -64,4 +102,71 @@ TEST(Cases, MapsOfStabilityCanBeRead)
                        [&](const std::string &folder) { verify::read_stability(folder, suite); }),
               8)
         << suite;
+}
+
+// A key that is gone makes every row that sets it a refused one, which no campaign of checks sees.
+TEST(Cases, SettingsOfTradesAreOfTheSceneLanguage)
+{
+  int rows = 0;
+  read_all("expect.toml",
+           [&](const std::string &folder)
+           {
+             verify::Trade trade;
+             try
+             {
+               trade = fs::exists(folder + "/tradeoff.toml") ? verify::read_trade(folder)
+                                                             : verify::default_trade(folder);
+             }
+             catch (const verify::BadInput &) // nothing to trade, or the test above tells it
+             {
+               return;
+             }
+             for (const auto &run : trade.c.runs)
+               EXPECT_EQ(refusal(folder, run.scene, run.set), "") << folder << ": " << run.name;
+             rows += static_cast<int>(trade.c.runs.size());
+           });
+  EXPECT_GT(rows, 100);
+}
+
+TEST(Cases, SettingsOfRunsAreOfTheSceneLanguage)
+{
+  for (const char *suite : {"smoke", "quick", "full"})
+    read_all("expect.toml",
+             [&](const std::string &folder)
+             {
+               if (verify::takes_part(folder, suite))
+                 for (const auto &run : verify::read_case(folder, suite).runs)
+                   if (run.expect_exit == 0)
+                   {
+                     EXPECT_EQ(refusal(folder, run.scene, run.set), "")
+                         << folder << ": " << run.name;
+                   }
+             });
+}
+
+// A cell may be refused, that is a class; but for its value, never for its key.
+TEST(Cases, SettingsOfMapsAreOfTheSceneLanguage)
+{
+  for (const char *suite : {"quick", "full"})
+    visit_cells(
+        suite,
+        [](const std::string &folder, const verify::Map &map, const std::vector<std::string> &set)
+        {
+          const std::string text = refusal(folder, map.scene, set);
+          EXPECT_EQ(text.find("there is no"), std::string::npos)
+              << folder << ": " << map.name << "\n"
+              << text;
+        });
+}
+
+TEST(Cases, MapsHaveAsManyCellsAsIsPromised)
+{
+  const auto count = [](const char *suite)
+  {
+    int cells = 0;
+    visit_cells(suite, [&](const auto &...) { ++cells; });
+    return cells;
+  };
+  EXPECT_GE(count("full"), 150);
+  EXPECT_GE(count("quick"), 25);
 }

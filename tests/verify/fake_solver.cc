@@ -14,6 +14,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <limits>
 #include <map>
@@ -34,8 +35,8 @@ namespace
                       {"sleep", 0.},  {"burn", 0.},     {"short", 1.}, {"nan", 0.},
                       {"growth", 0.}, {"foretold", 0.}, {"hole", -1.}, {"skew", 0.}};
     for (const auto &text : command.overrides)
-      if (const auto equal = text.find('='); text.rfind("fake.", 0) == 0)
-        settings[text.substr(5, equal - 5)] = std::stod(text.substr(equal + 1));
+      if (const auto equal = text.find('='); text.rfind("fake.", 0) == 0 && equal + 1 < text.size())
+        settings[text.substr(5, equal - 5)] = std::strtod(text.c_str() + equal + 1, nullptr);
     return settings;
   }
 

@@ -1,4 +1,4 @@
-// Trade, advice and stability maps on the fake solver.
+// Trade and advice on the fake solver.
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -45,35 +45,6 @@ lists = {"fake.burn" = [0.6]}
 name = "broken"
 lists = {"fake.exit" = [3]}
 )";
-
-  // What cells are judged by: the head of every stability.toml here.
-  const std::string judged = R"toml(
-[energy]
-table = "energy"
-of = "kinetic_energy"
-[[accurate]]
-take = {number = "largest"}
-against = {number = 1}
-norm = "absolute"
-limit = 0.1
-)toml";
-
-  const std::string extremes = judged + R"toml(
-[[map]]
-name = "growth and error"
-x = {key = "fake.growth", values = [0.0, 8.0]}
-y = {key = "fake.error", values = [0.0, 0.5]}
-bisections = 6
-theory = "2*log(10)"
-[[map]]
-name = "exits"
-x = {key = "fake.exit", values = [2, 3]}
-[[map]]
-name = "lists"
-x = {key = "fake.growth", values = [0.0, 8.0]}
-y = {label = "two at a time", set = ["fake.error={0}", "fake.h={1}"], values = [[0.0, 0.25]]}
-theory = "4*log(10)*(y0 + 2*y1)"
-)toml";
 
   /// The trade above, measured once for all tests.
   struct Measured
@@ -139,71 +110,6 @@ TEST(Advice, NeverExtrapolates)
   EXPECT_EQ(advise(w.places(), "bar", "largest", "4%", output + "/nothing"), 4);
   EXPECT_THROW(advise(w.places(), "bar", "colour", "4%", output), BadInput);
   EXPECT_THROW(advise(w.places(), "bar", "largest", "fast", output), BadInput);
-}
-
-TEST(Stability, TellsTheClassesApartAndFindsTheEdge)
-{
-  const Workspace w;
-  w.write("cases/bar/expect.toml", "title = \"bar\"\n[[run]]\nsolver = \"mpm_pf\"\n");
-  w.write("cases/bar/stability.toml", extremes);
-  CampaignOptions options = w.options();
-  options.cases = {"bar"};
-  ASSERT_EQ(stability(w.places(), options), 0);
-  const auto result = nlohmann::json::parse(w.read("results/stability/bar.json"));
-  const auto &cells = result["maps"][0]["cells"];
-  EXPECT_EQ(cells[0]["class"], "accurate");
-  EXPECT_EQ(cells[1]["class"], "growing energy");
-  EXPECT_EQ(cells[2]["class"], "bounded but wrong");
-  EXPECT_EQ(result["maps"][1]["cells"][0]["class"], "refused");
-  EXPECT_EQ(result["maps"][1]["cells"][1]["class"], "diverged");
-  EXPECT_NE(cells[0]["repeat"].get<std::string>().find("fake.growth=0"), std::string::npos);
-  // exp(g)/exp(g/2) = 10 at g = 2 log 10 = 4.605
-  const auto &edge = result["maps"][0]["edges"][0];
-  EXPECT_LE(edge["stable"].get<double>(), 4.61);
-  EXPECT_GE(edge["unstable"].get<double>(), 4.60);
-  EXPECT_LT(edge["unstable"].get<double>() - edge["stable"].get<double>(), 0.2);
-  EXPECT_NEAR(edge["theory"].get<double>(), 4.605, 1e-3);
-  // a theory knows the entries of a list
-  EXPECT_NEAR(result["maps"][2]["edges"][0]["theory"].get<double>(), 4.605, 1e-3);
-}
-
-TEST(Stability, TakesRunsOutOfTimeAndRefusedOnesForNeitherStableNorUnstable)
-{
-  const Workspace w;
-  w.write("cases/bar/expect.toml", "title = \"bar\"\n[[run]]\nsolver = \"mpm_pf\"\n");
-  w.write("cases/bar/stability.toml", judged + R"toml(
-[[map]]
-name = "slow"
-x = {key = "fake.sleep", values = [0.0, 30.0]}
-time_limit_s = 0.3
-bisections = 2
-[[map]]
-name = "refused between"
-set = ["fake.hole=4"]
-x = {key = "fake.growth", values = [0.0, 8.0]}
-bisections = 4
-)toml");
-  CampaignOptions options = w.options();
-  options.cases = {"bar"};
-  ASSERT_EQ(stability(w.places(), options), 0);
-  const auto maps = nlohmann::json::parse(w.read("results/stability/bar.json"))["maps"];
-  EXPECT_EQ(maps[0]["cells"][1]["class"], "out of time");
-  EXPECT_TRUE(maps[0]["edges"].empty()) << maps[0]["edges"];
-  const auto &edge = maps[1]["edges"].at(0);
-  EXPECT_EQ(edge["stopped"], "refused");
-  EXPECT_EQ(edge["stable"], 0.);
-  EXPECT_EQ(edge["unstable"], 8.);
-}
-
-TEST(Stability, FailsWhereAMapSaysNothing)
-{
-  const Workspace w;
-  w.write("cases/bar/expect.toml", "title = \"bar\"\n[[run]]\nsolver = \"mpm_pf\"\n");
-  w.write("cases/bar/stability.toml", "[[map]]\nname = \"m\"\nset = [\"fake.exit=2\"]\n"
-                                      "x = {key = \"fake.h\", values = [1, 2]}\n");
-  CampaignOptions options = w.options();
-  options.cases = {"bar"};
-  EXPECT_EQ(stability(w.places(), options), 1);
 }
 
 TEST(Tradeoff, FailsWhereNoRowHasAnError)

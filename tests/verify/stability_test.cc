@@ -1,0 +1,265 @@
+// Maps of stability on the fake solver, and what a run that diverged learns from them.
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "commands.h"
+#include "safe.h"
+#include "section.h"
+#include "workspace.h"
+
+using namespace verify;
+
+namespace
+{
+  // What cells are judged by: the head of every stability.toml here.
+  const std::string judged = R"toml(
+[energy]
+table = "energy"
+of = "kinetic_energy"
+[[accurate]]
+take = {number = "largest"}
+against = {number = 1}
+norm = "absolute"
+limit = 0.1
+)toml";
+
+  const std::string extremes = judged + R"toml(
+[[map]]
+name = "growth and error"
+x = {key = "fake.growth", values = [0.0, 8.0]}
+y = {key = "fake.error", values = [0.0, 0.5]}
+bisections = 6
+theory = "2*log(10)"
+edge = [0.95, 1.05]
+[[map]]
+name = "exits"
+x = {key = "fake.exit", values = [2, 3]}
+[[map]]
+name = "lists"
+x = {key = "fake.growth", values = [0.0, 8.0]}
+y = {label = "two at a time", set = ["fake.error={0}", "fake.h={1}"], values = [[0.0, 0.25]]}
+theory = "4*log(10)*(y0 + 2*y1)"
+)toml";
+
+  /// Exit code of the maps of the case, whose file is `text`.
+  int mapped(const Workspace &w, const std::string &text)
+  {
+    w.write("cases/bar/expect.toml", "title = \"bar\"\n[[run]]\nsolver = \"mpm_pf\"\n");
+    w.write("cases/bar/stability.toml", text);
+    CampaignOptions options = w.options();
+    options.cases = {"bar"};
+    return stability(w.places(), options);
+  }
+  nlohmann::json maps_of(const Workspace &w)
+  {
+    return nlohmann::json::parse(w.read("results/stability/bar.json"))["maps"];
+  }
+} // namespace
+
+TEST(Stability, TellsTheClassesApartAndFindsTheEdge)
+{
+  const Workspace w;
+  ASSERT_EQ(mapped(w, extremes), 0);
+  const auto maps = maps_of(w);
+  const auto &cells = maps[0]["cells"];
+  EXPECT_EQ(cells[0]["class"], "accurate");
+  EXPECT_EQ(cells[1]["class"], "growing energy");
+  EXPECT_EQ(cells[2]["class"], "bounded but wrong");
+  EXPECT_EQ(maps[1]["cells"][0]["class"], "refused");
+  EXPECT_EQ(maps[1]["cells"][1]["class"], "diverged");
+  EXPECT_NE(cells[0]["repeat"].get<std::string>().find("fake.growth=0"), std::string::npos);
+  // exp(g)/exp(g/2) = 10 at g = 2 log 10 = 4.605
+  const auto &edge = maps[0]["edges"][0];
+  EXPECT_LE(edge["stable"].get<double>(), 4.61);
+  EXPECT_GE(edge["unstable"].get<double>(), 4.60);
+  EXPECT_LT(edge["unstable"].get<double>() - edge["stable"].get<double>(), 0.2);
+  EXPECT_NEAR(edge["theory"].get<double>(), 4.605, 1e-3);
+  EXPECT_NEAR(edge["ratio"].get<double>(), 1., 0.02);
+  // two rows of six: the cells that the edges were found by are commands, too
+  ASSERT_EQ(maps[0]["bisected"].size(), 12u);
+  const std::string repeat = maps[0]["bisected"][0]["repeat"];
+  EXPECT_NE(repeat.find("fake.growth=4.0"), std::string::npos) << repeat;
+  EXPECT_EQ(maps[0]["bisected"][0]["class"], "accurate");
+  // a theory knows the entries of a list
+  EXPECT_NEAR(maps[2]["edges"][0]["theory"].get<double>(), 4.605, 1e-3);
+}
+
+TEST(Stability, TakesRunsOutOfTimeAndRefusedOnesForNeitherStableNorUnstable)
+{
+  const Workspace w;
+  ASSERT_EQ(mapped(w, judged + R"toml(
+[[map]]
+name = "slow"
+x = {key = "fake.sleep", values = [0.0, 30.0]}
+time_limit_s = 0.3
+bisections = 2
+[[map]]
+name = "refused between"
+set = ["fake.hole=4"]
+x = {key = "fake.growth", values = [0.0, 8.0]}
+bisections = 4
+)toml"),
+            0);
+  const auto maps = maps_of(w);
+  EXPECT_EQ(maps[0]["cells"][1]["class"], "out of time");
+  EXPECT_TRUE(maps[0]["edges"].empty()) << maps[0]["edges"];
+  const auto &edge = maps[1]["edges"].at(0);
+  EXPECT_EQ(edge["stopped"], "refused");
+  EXPECT_EQ(edge["stable"], 0.);
+  EXPECT_EQ(edge["unstable"], 8.);
+}
+
+TEST(Stability, FailsWhereAMapSaysNothing)
+{
+  const Workspace w;
+  EXPECT_EQ(mapped(w, "[[map]]\nname = \"m\"\nset = [\"fake.exit=2\"]\n"
+                      "x = {key = \"fake.h\", values = [1, 2]}\n"),
+            1);
+}
+
+// The edge lies at 2 log 10 = 4.605 (above).
+TEST(Stability, JudgesTheEdgeByTheTheoreticalLimit)
+{
+  const auto code = [](const std::string &x, const std::string &theory, const std::string &rest)
+  {
+    const Workspace w;
+    const int found =
+        mapped(w, judged + "[[map]]\nname = \"m\"\nx = {key = \"fake.growth\", values = " + x +
+                      "}\nbisections = 6\ntheory = " + theory + "\n" + rest);
+    EXPECT_EQ(found != 0, !maps_of(w)[0]["broken"].empty());
+    return found;
+  };
+  const std::string x = "[0.0, 8.0]", bounds = "edge = [0.9, 1.1]\n";
+  EXPECT_EQ(code(x, "4.605", bounds), 0);
+  EXPECT_EQ(code(x, "4.0", bounds), 1);
+  EXPECT_EQ(code(x, "5.3", bounds), 1);
+  EXPECT_EQ(code(x, "4.0", ""), 0) << "only told";
+  // no edge: stable beyond the limit, or unstable before it
+  EXPECT_EQ(code("[0.0, 4.0]", "2.0", bounds), 1);
+  EXPECT_EQ(code("[6.0, 8.0]", "10.0", bounds), 1);
+  EXPECT_EQ(code("[0.0, 4.0]", "4.605", bounds), 0);
+  // a limit of some rows only
+  const std::string words = "y = {key = \"fake.word\", values = [\"a\", \"b\"]}\n" + bounds;
+  EXPECT_EQ(code(x, "{a = 4.605, b = 4.605}", words), 0);
+  EXPECT_EQ(code(x, "{a = 4.605, b = 3.0}", words), 1);
+  EXPECT_EQ(code(x, "{a = 4.605}", words), 0);
+}
+
+TEST(Stability, WantsATheoryForTheBoundsOfAnEdge)
+{
+  const Workspace w;
+  const std::string map = "[[map]]\nname = \"m\"\nx = {key = \"fake.h\", values = [1]}\n";
+  EXPECT_THROW(mapped(w, map + "edge = [0.9, 1.1]\n"), BadInput);
+  EXPECT_THROW(mapped(w, map + "theory = 1.0\nedge = 0.9\n"), BadInput);
+}
+
+TEST(Stability, TakesAKeyAwayWhereAValueIsAbsent)
+{
+  const Workspace w;
+  ASSERT_EQ(mapped(w, judged + R"toml(
+[[map]]
+name = "with and without"
+x = {key = "fake.error", values = ["absent", 0.5], absent = 0}
+[[accurate]]
+name = "as large as the error"
+take = {value = "largest - 1", with = {largest = {number = "largest"}}}
+against = {number = "axis_x"}
+norm = "absolute"
+limit = 1e-9
+)toml"),
+            0);
+  const auto cells = maps_of(w)[0]["cells"];
+  EXPECT_EQ(cells[0]["x"], "absent");
+  EXPECT_NE(cells[0]["repeat"].get<std::string>().find("fake.error= "), std::string::npos)
+      << cells[0]["repeat"];
+  EXPECT_EQ(cells[0]["class"], "accurate") << cells[0]["why"];
+}
+
+namespace
+{
+  /// A map as `verify stability` writes it: with few points a step of 0.3 is bounded, with many one
+  /// of 1 accurate.
+  const char *const known = R"json({"maps": [{
+  "name": "step and points",
+  "x": {"label": "step", "values": ["0.1", "1.0", "10.0"], "set": ["mpm.step_fraction={value}"], "logarithmic": true},
+  "y": {"label": "points", "values": ["[1, 1]", "[3, 3]"], "set": ["mpm.points_per_cell=[{0},{1}]"], "logarithmic": false},
+  "cells": [
+    {"column": 0, "row": 0, "x": "0.1", "y": "[1, 1]", "class": "bounded but wrong"},
+    {"column": 1, "row": 0, "x": "1.0", "y": "[1, 1]", "class": "diverged"},
+    {"column": 2, "row": 0, "x": "10.0", "y": "[1, 1]", "class": "diverged"},
+    {"column": 0, "row": 1, "x": "0.1", "y": "[3, 3]", "class": "accurate"},
+    {"column": 1, "row": 1, "x": "1.0", "y": "[3, 3]", "class": "accurate"},
+    {"column": 2, "row": 1, "x": "10.0", "y": "[3, 3]", "class": "diverged"}],
+  "bisected": [{"row": 0, "x": "0.3", "y": "[1, 1]", "class": "bounded but wrong"}],
+  "edges": []}]})json";
+
+  /// What a run that diverged is told, by the map of `folder`.
+  std::string told(const std::string &scene, const std::string &set,
+                   const std::string &folder = "results")
+  {
+    const Workspace w;
+    w.write("cases/bar/quick.toml", "title = \"bar\"\n" + scene);
+    w.write(folder + "/stability/bar.json", known);
+    const auto campaign =
+        w.run("[[run]]\nsolver = \"mpm_pf\"\nset = [\"fake.exit=3\"" + set + "]\n");
+    return campaign.cases.at(0).outcomes.at(0).last_words;
+  }
+  const std::string few = "step = 0.3 with points = [1, 1]",
+                    many = "points = [3, 3] with step = 1.0";
+} // namespace
+
+TEST(SafeSetting, IsFoundFromTheSceneTheSettingsAndTheDefaults)
+{
+  // from the scene, whatever the settings say of other things; both axes
+  const std::string scene = "[mpm]\nstep_fraction = 0.9\npoints_per_cell = [1, 1]\n";
+  const std::string text = told(scene, "");
+  EXPECT_NE(text.find("known to be bounded but wrong: " + few), std::string::npos) << text;
+  EXPECT_NE(text.find("known to be accurate: " + many), std::string::npos) << text;
+  EXPECT_EQ(told(scene, "", "elsewhere/full").find("known"), std::string::npos);
+  // what --set says comes last
+  const std::string other = told(scene, ", \"mpm.step_fraction=8.0\"");
+  EXPECT_NE(other.find(few), std::string::npos) << other;
+  EXPECT_EQ(other.find("known to be accurate"), std::string::npos) << "none in this column";
+  // points_per_cell = [2, 2] is the default: as near to both rows, so the first
+  const std::string standard = told("[mpm]\nstep_fraction = 0.9\n", "");
+  EXPECT_NE(standard.find(few), std::string::npos) << standard;
+}
+
+TEST(SafeSetting, StaysInTheRowOfTheRun)
+{
+  // 7 is nearest to the column of 10; in the row of 3 x 3 points 1 is safe, and no other row counts
+  const std::string text = told("[mpm]\nstep_fraction = 7.0\npoints_per_cell = [3, 3]\n", "");
+  EXPECT_NE(text.find("known to be accurate: step = 1.0 with points = [3, 3]"), std::string::npos)
+      << text;
+  EXPECT_EQ(text.find("[1, 1]"), std::string::npos) << text;
+}
+
+// The map calls it accurate, and yet it diverged: of another setting, which the map does not vary.
+TEST(SafeSetting, IsNothingWhereTheMapFindsNoFault)
+{
+  const std::string scene = "[mpm]\nstep_fraction = 1.0\npoints_per_cell = [3, 3]\n";
+  EXPECT_EQ(told(scene, "").find("known"), std::string::npos);
+  EXPECT_NE(told(scene, ", \"mpm.step_fraction=1.1\"").find("known"), std::string::npos);
+}
+
+TEST(SafeSetting, IsAlsoThatOfTheFullMapsBesideTheFolder)
+{
+  const Workspace w;
+  w.write("cases/bar/quick.toml", "title = \"bar\"\n[mpm]\nstep_fraction = 0.9\n");
+  w.write("full/stability/bar.json", known);
+  const Case c = [&]
+  {
+    w.write("cases/bar/expect.toml", "title = \"bar\"\n[[run]]\nsolver = \"mpm_pf\"\n");
+    return read_case(w.folder(), "quick");
+  }();
+  const std::string text = nearest_safe_setting(w.options().output, c, c.runs.at(0));
+  EXPECT_NE(text.find(few), std::string::npos) << text;
+  EXPECT_NE(text.find("full/stability/bar.json"), std::string::npos) << text;
+}
+
+TEST(SafeSetting, IsNothingWhereTheMapVariesWhatTheRunDoesNotHave)
+{
+  EXPECT_EQ(
+      told("[mpm]\nstep_fraction = 0.9\npoints_per_cell = [[1, 1], [1, 1]]\n", "").find("known"),
+      std::string::npos);
+}
