@@ -107,6 +107,8 @@ namespace verify
       if (!interrupted())
         run_jobs(plans, {campaign.options.cores, campaign.options.fresh});
       for (auto &result : campaign.cases)
+      {
+        std::vector<Json> runs;
         for (std::size_t i = 0; i < result.jobs.size(); ++i)
         {
           result.forecasts.emplace_back();
@@ -116,7 +118,11 @@ namespace verify
           Json run = run_to_json(result.c.runs[i], result.jobs[i], result.outcomes[i]);
           add_forecast(result.forecasts.back(), run);
           result.verdicts.push_back(forecast_verdict(run));
+          runs.push_back(run);
         }
+        if (const auto verdict = short_runs_verdict(runs))
+          result.verdicts.push_back(*verdict);
+      }
     }
   } // namespace
 

@@ -56,6 +56,26 @@ namespace verify
              run.at("profile").contains("points");
     }
 
+    /// As a part of what is allowed.
+    double time_miss(const double foretold_s, const double measured_s, const double factor)
+    {
+      return std::abs(std::log(foretold_s / measured_s)) / std::log(factor);
+    }
+
+    Verdict forecast_of(const std::string &name, const std::string &reason)
+    {
+      Verdict verdict;
+      Check &check = verdict.check;
+      check.name = "forecast, " + name;
+      check.norm = "value";
+      check.unit = "of what is allowed";
+      check.source = "--plan of the same scene and settings, asked when the run was over";
+      check.reason = reason;
+      check.take.kind = Take::Kind::number;
+      check.take.of = "forecast";
+      check.high = 1.;
+      return verdict;
+    }
   } // namespace
 
   Job forecast_job(const Job &run)
@@ -117,8 +137,7 @@ namespace verify
     std::map<std::string, double> misses;
     const double longest = std::max(cpu, forecast->cpu_s);
     if (longest >= short_run_s || std::isnan(forecast->cpu_s))
-      misses["time"] =
-          std::abs(std::log((forecast->cpu_s + start_s) / (cpu + start_s))) / std::log(factor);
+      misses["time"] = time_miss(forecast->cpu_s + start_s, cpu + start_s, factor);
     if (bytes && !(std::max(*bytes, forecast->solver_bytes) < small_memory_bytes))
       misses["memory"] = std::abs(forecast->solver_bytes - *bytes) / (memory_tolerance * *bytes);
     misses["resident"] = std::abs(forecast->resident_bytes - resident) /
@@ -140,20 +159,13 @@ namespace verify
 
   Verdict forecast_verdict(const Json &run)
   {
-    Verdict verdict;
-    Check &check = verdict.check;
-    check.name = "forecast, " + run.at("name").get<std::string>();
-    check.norm = "value";
-    check.unit = "of what is allowed";
-    check.source = "--plan of the same scene and settings, asked when the run was over";
-    check.reason =
-        "memory of the solver within 10 %, resident memory within 10 % + 50 MB, CPU time "
-        "within a factor 2, or 3 where elements choose their steps or points are sown; "
-        "time counts from 10 s of CPU on, memory of the solver from 1 MB on";
-    check.take.run = run.at("name");
-    check.take.kind = Take::Kind::number;
-    check.take.of = "forecast";
-    check.high = 1.;
+    Verdict verdict =
+        forecast_of(run.at("name"),
+                    "memory of the solver within 10 %, resident memory within 10 % + 50 MB, CPU "
+                    "time within a factor 2, or 3 where elements choose their steps or points are "
+                    "sown; time counts from 10 s of CPU on, of shorter runs in sum, memory of the "
+                    "solver from 1 MB on");
+    verdict.check.take.run = run.at("name");
     if (!run.contains("forecast") || run.at("forecast").at("worst_miss").is_null())
     {
       verdict.why = "the solver foretold nothing, or what is no number";
@@ -172,6 +184,38 @@ namespace verify
         megabytes(forecast.at("measured_solver_bytes")), forecast.at("memory").get<std::string>(),
         megabytes(forecast.at("resident_bytes")), megabytes(run.at("peak_rss_bytes")),
         forecast.at("resident").get<std::string>());
+    return verdict;
+  }
+
+  std::optional<Verdict> short_runs_verdict(const std::vector<Json> &runs)
+  {
+    double foretold = 0., measured = 0., factor = 2.;
+    int count = 0;
+    for (const Json &run : runs)
+    {
+      const Json forecast = run.value("forecast", Json());
+      if (!forecast.is_object() || !forecast.at("cpu_s").is_number())
+        continue; // what is no number has failed on its own
+      const double foretold_s = forecast.at("cpu_s"), measured_s = run.at("cpu_s");
+      if (std::max(foretold_s, measured_s) >= gated_run_s)
+        continue;
+      ++count;
+      foretold += foretold_s + start_s;
+      measured += measured_s + start_s;
+      factor = std::max(factor, forecast.at("time_factor").get<double>());
+    }
+    if (std::max(foretold, measured) < gated_run_s + count * start_s)
+      return {};
+    Verdict verdict = forecast_of(
+        "short runs together",
+        "CPU time of the runs of less than 10 s, which say little one by one, in sum within a "
+        "factor 2, or 3 where one of them is of elements or its points are sown");
+    verdict.value = time_miss(foretold, measured, factor);
+    verdict.status = *verdict.value <= 1. ? Status::pass : Status::fail;
+    verdict.why =
+        fmt::format("foretold over measured: CPU {:.3g}/{:.3g} s of {} runs, {:.2g} s for "
+                    "the start of each",
+                    foretold, measured, count, start_s);
     return verdict;
   }
 

@@ -34,5 +34,9 @@ namespace verify
 
   /// The check that a run's forecast is: its worst miss as a part of what is allowed.
   Verdict forecast_verdict(const nlohmann::ordered_json &run);
+
+  /// The check that the forecasts of the short runs of a case are together: their CPU time,
+  /// foretold and measured, where either sum is so long as to count. Empty where it is not.
+  std::optional<Verdict> short_runs_verdict(const std::vector<nlohmann::ordered_json> &runs);
   bool is_forecast(const Verdict &);
 } // namespace verify

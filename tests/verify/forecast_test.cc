@@ -110,3 +110,48 @@ TEST(Forecast, OfTheSolversMemoryCountsFromOneMegabyteOn)
   EXPECT_EQ(small["forecast"]["memory"], "not judged");
   EXPECT_EQ(judged(foretold(30., 2e6, 1e8), small).status, Status::fail);
 }
+
+// Two runs that foretell 9.5 s and take none: too short to be judged one by one.
+TEST(Forecast, OfShortRunsFailsTheCampaignInSum)
+{
+  const Workspace w;
+  const auto campaign = w.run(
+      "[[run]]\nname = \"a\"\nsolver = \"mpm_pf\"\nset = [\"fake.foretold=9.5\"]\n"
+      "[[run]]\nname = \"b\"\nsolver = \"mpm_pf\"\nset = [\"fake.foretold=9.5\", \"fake.h=2\"]\n");
+  const auto &verdicts = campaign.cases.at(0).verdicts;
+  ASSERT_EQ(verdicts.size(), 3u);
+  EXPECT_EQ(verdicts[0].status, verify::Status::pass);
+  EXPECT_EQ(verdicts[1].status, verify::Status::pass);
+  EXPECT_EQ(verdicts[2].check.name, "forecast, short runs together");
+  EXPECT_EQ(verdicts[2].status, verify::Status::fail);
+  EXPECT_EQ(campaign.exit_code, 1);
+}
+
+TEST(Forecast, OfShortRunsCountsFromTenSecondsInSumOn)
+{
+  const auto sum =
+      [](const int count, const double foretold_s, const double measured_s, const char *solver)
+  {
+    std::vector<nlohmann::ordered_json> runs;
+    for (int k = 0; k < count; ++k)
+    {
+      auto run = long_run();
+      run["cpu_s"] = measured_s;
+      run["solver"] = solver;
+      verify::add_forecast(foretold(foretold_s, 4e7, 1e8), run);
+      runs.push_back(run);
+    }
+    runs.push_back({{"name", "without a forecast"}, {"cpu_s", 5.}});
+    return verify::short_runs_verdict(runs);
+  };
+  using verify::Status;
+  EXPECT_EQ(sum(3, 4., 4., "mpm_pf").value().status, Status::pass);
+  EXPECT_EQ(sum(3, 9., 4., "mpm_pf").value().status, Status::fail);
+  EXPECT_EQ(sum(3, 1.7, 4., "mpm_pf").value().status, Status::fail);
+  EXPECT_EQ(sum(3, 9., 4., "fe_reference").value().status, Status::pass) << "a factor 3";
+  EXPECT_FALSE(sum(3, 3., 3., "mpm_pf")) << "9 s in sum";
+  EXPECT_FALSE(sum(3, 20., 4., "mpm_pf")) << "each is judged by itself";
+  // ln((3*9 + 0.45)/(3*6 + 0.45))/ln 2: 0.15 s for the start of each
+  EXPECT_NEAR(*sum(3, 9., 6., "mpm_pf").value().value, std::log(27.45 / 18.45) / std::log(2.),
+              1e-12);
+}
