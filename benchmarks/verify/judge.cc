@@ -234,6 +234,10 @@ namespace verify
       text += " over " + take.abscissa;
     if (!take.between.empty())
       text += fmt::format(" from {} to {}", take.between[0], take.between[1]);
+    if (take.mirror == "x" || take.mirror == "y")
+      text += " mirrored in " + take.mirror;
+    if (!take.rotate.empty())
+      text += " turned by " + take.rotate + " degrees";
     if (!take.at.empty())
       text += take.at == "end" ? " at the end" : " at t = " + take.at;
     return take.reduce.empty() ? text : take.reduce + " of " + text;

@@ -81,6 +81,9 @@ namespace verify
                                      {"calls", part.calls}};
         for (const auto &[name, value] : reader.provenance())
           run["provenance"][name] = value;
+        for (const char *key : {"inertia", "warning"}) // what the run says of itself
+          if (const std::string said = reader.attribute(key); !said.empty())
+            run[key] = said;
         run["build_type"] = reader.attribute("build_type");
         run["record_status"] = reader.status();
         run["scene_hash"] = reader.attribute("scene_hash");

@@ -104,6 +104,21 @@ class Page(unittest.TestCase):
                 (folder / case / "verdict.json").write_text(json.dumps({"case": case, "checks": [{"status": "pass"}, {"status": "fail"}]}))
             self.assertEqual(report.left_over(folder, {"cases": [{"case": "new"}]}), [("old", 1, 2)])
 
+    def test_a_run_says_under_the_runs_whether_its_inertia_shows(self):
+        check = {"name": "c", "status": "pass", "take": "t", "against": "", "norm": "value", "value": 1.0, "limit": [0, 2], "unit": "-", "source": "s", "reason": "r"}
+        check |= {"why": "", "uncertainty": None, "uncertainty_text": "", "taken": None, "reference": None, "drift": {"status": "none", "accepted": None}}
+        run = {"name": "pressed", "status": "complete", "wall_s": 1.0, "cpu_s": 1.0, "peak_rss_bytes": 1e6, "steps": 1, "cells": 1, "points": 1, "build_type": "Release"}
+        run |= {"solver": "mpm_pf", "repeat": "again", "inertia": "inertia alone takes 2 % of compression to stop an arm: not quasi-static"}
+        case = {"case": "bar", "title": "", "about": "", "scene": "quick.toml", "checks": [check], "runs": [run, {**run, "name": "free", "inertia": ""}]}
+        campaign = {"suite": "quick", "started": "", "wall_s": 1.0, "exit_code": 0, "cores": 1, "jobs": 1, "cases": [case], "provenance": {}}
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            (folder / "campaign.json").write_text(json.dumps(campaign))
+            report.write(folder)
+            page = (folder / "index.html").read_text()
+        self.assertIn("<b>pressed</b>: inertia alone takes 2 % of compression to stop an arm: not quasi-static", page)
+        self.assertNotIn("<b>free</b>", page)
+
     def test_says_nothing_of_a_verdict_where_nothing_was_judged(self):
         with tempfile.TemporaryDirectory() as name:
             folder = pathlib.Path(name)

@@ -282,6 +282,8 @@ TEST(Campaign, WritesVerdictsThatOthersCanRead)
                           "cells", "points", "build_type"})
     EXPECT_TRUE(run.contains(key)) << key;
   EXPECT_EQ(run.at("steps"), 100);
+  EXPECT_EQ(run.at("inertia"), "inertia shows: not quasi-static");
+  EXPECT_FALSE(verdict.at("runs").at(1).contains("inertia"));
   EXPECT_NE(w.read("results/junit.xml").find("property name=\"value\" value=\"0.1"),
             std::string::npos);
 }

@@ -80,6 +80,8 @@ namespace
     snapshot.fields["sum"] = {off, 1. + off, 1. + off, 2. + off};
     writer.snapshot("fields", 1., snapshot);
     writer.attribute("largest", 1. + off);
+    if (off > 0.)
+      writer.attribute("inertia", "inertia shows: not quasi-static");
   }
 } // namespace
 
