@@ -11,15 +11,15 @@
 
 namespace fe
 {
+  bool only_rectangles(const std::vector<scene::Body> &bodies)
+  {
+    return std::all_of(bodies.begin(), bodies.end(),
+                       [](const scene::Body &body)
+                       { return std::holds_alternative<scene::Rectangle>(body.shape); });
+  }
+
   namespace
   {
-    bool only_rectangles(const std::vector<scene::Body> &bodies)
-    {
-      return std::all_of(bodies.begin(), bodies.end(),
-                         [](const scene::Body &body)
-                         { return std::holds_alternative<scene::Rectangle>(body.shape); });
-    }
-
     bool is_symmetry(const scene::Domain &domain, const int axis, const bool upper)
     {
       return domain.boundary[2 * axis + upper] == scene::Boundary::symmetry;

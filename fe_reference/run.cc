@@ -12,6 +12,7 @@
 #include "plan.h"
 #include "record/progress.h"
 #include "state_checkpoint.h"
+#include "versions.h"
 
 namespace fe
 {
@@ -84,6 +85,7 @@ namespace fe
         {
           std::filesystem::create_directories(command.output);
           auto provenance = record::collect("fe_reference", command.joined, command.threads);
+          add_versions(provenance, scene);
           provenance["processes"] = std::to_string(number_of_processes());
           if (resumed_at)
             writer = std::make_unique<record::Writer>(command.record_path(), provenance, scene,

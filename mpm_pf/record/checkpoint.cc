@@ -78,7 +78,8 @@ namespace record
 
   void CheckpointFile::finish()
   {
-    file.reset();
+    file->numbers.close("cannot write " + path + ".part");
+    file->file.close("cannot write " + path + ".part");
     std::filesystem::rename(path + ".part", path);
   }
 

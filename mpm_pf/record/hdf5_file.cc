@@ -8,6 +8,11 @@ namespace record::hdf5
 {
   namespace
   {
+    /// After a write that failed, as on a full disk, the library's own tidying up at the program's
+    /// end crashes on what it could not close. All is closed by handles, so it is not needed. Asked
+    /// before anything else, and opened before MPI is, whose end would tidy up as well.
+    [[maybe_unused]] const herr_t no_tidying_up = H5dont_atexit() < 0 ? -1 : H5open();
+
     /// HDF5's own words about its last failure: the innermost entry of its error stack.
     std::string last_reason()
     {
@@ -110,6 +115,13 @@ namespace record::hdf5
       H5Idec_ref(id); // every kind of identifier is counted; the last one closes the object
   }
 
+  void Handle::close(const std::string &doing)
+  {
+    const hid_t closing = id;
+    id = H5I_INVALID_HID; // whatever comes of it, not once more
+    check(H5Idec_ref(closing), doing);
+  }
+
   Handle open_file(const std::string &path, const Mode mode)
   {
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); // reasons go into exceptions, not onto stderr
@@ -198,12 +210,13 @@ namespace record::hdf5
       if (H5Zfilter_avail(H5Z_FILTER_DEFLATE) > 0)
         check(H5Pset_deflate(properties, 1), name);
     }
-    const Handle dataset(H5Dcreate2(parent, name.c_str(), memory_type<T>(), space, H5P_DEFAULT,
-                                    properties, H5P_DEFAULT),
-                         "cannot make dataset " + name);
+    Handle dataset(H5Dcreate2(parent, name.c_str(), memory_type<T>(), space, H5P_DEFAULT,
+                              properties, H5P_DEFAULT),
+                   "cannot make dataset " + name);
     if (!values.empty())
       check(H5Dwrite(dataset, memory_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
             "cannot write dataset " + name);
+    dataset.close("cannot write dataset " + name);
   }
 
   template <class T>
@@ -252,7 +265,7 @@ namespace record::hdf5
   {
     if (values.empty())
       return;
-    const Handle dataset(H5Dopen2(parent, name.c_str(), H5P_DEFAULT), "no dataset " + name);
+    Handle dataset(H5Dopen2(parent, name.c_str(), H5P_DEFAULT), "no dataset " + name);
     Shape extents = shape_of(dataset, name), start(extents.size(), 0), added = extents;
     added[0] = 1;
     added[0] = values.size() / count(added);
@@ -266,6 +279,7 @@ namespace record::hdf5
     const Handle in_memory(H5Screate_simple(int(added.size()), added.data(), nullptr), name);
     check(H5Dwrite(dataset, H5T_NATIVE_DOUBLE, in_memory, in_file, H5P_DEFAULT, values.data()),
           "cannot append to dataset " + name);
+    dataset.close("cannot append to dataset " + name);
   }
 
   void keep_rows(const hid_t parent, const std::string &name, const hsize_t rows)

@@ -24,6 +24,9 @@ namespace record::hdf5
     Handle &operator=(const Handle &) = delete;
     Handle &operator=(Handle &&) = delete;
     ~Handle();
+    /// Close it now. Throws std::runtime_error if what was written through it did not get onto the
+    /// disk: HDF5 holds data back until then, and a destructor can only keep silent.
+    void close(const std::string &doing);
     operator hid_t() const { return id; }
 
   private:

@@ -82,12 +82,13 @@ namespace record::hdf5
       const Handle type = text_type(), space = space_of(texts.size(), scalar);
       const Handle properties(H5Pcreate(H5P_DATASET_CREATE), name);
       check(H5Pset_obj_track_times(properties, false), name);
-      const Handle dataset(
+      Handle dataset(
           H5Dcreate2(parent, name.c_str(), type, space, H5P_DEFAULT, properties, H5P_DEFAULT),
           "cannot make dataset " + name);
       if (!texts.empty())
         check(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, pointers(texts).data()),
               "dataset " + name);
+      dataset.close("cannot write dataset " + name);
     }
   } // namespace
 

@@ -106,7 +106,9 @@ namespace record
     if (failure)
       throw std::runtime_error("cannot make the folder " + folder.string() + ": " +
                                failure.message());
-    write_head(hdf5::open_file(file->part, hdf5::Mode::create), provenance, scene);
+    hdf5::Handle open = hdf5::open_file(file->part, hdf5::Mode::create);
+    write_head(open, provenance, scene);
+    open.close("cannot write " + file->part);
   }
 
   Writer::Writer(const std::string &path, const Provenance &provenance, const scene::Scene &scene,
@@ -169,9 +171,10 @@ namespace record
   {
     check_snapshot(name, snapshot);
     Pending &pending = file->open_for(name);
-    const hdf5::Handle open = hdf5::open_file(file->part, hdf5::Mode::modify);
+    hdf5::Handle open = hdf5::open_file(file->part, hdf5::Mode::modify);
     pending.write(open);
     pending.write_snapshot(open, name, time, snapshot);
+    open.close("cannot write " + file->part);
   }
 
   void Writer::attribute(const std::string &name, const std::string &value)
@@ -185,7 +188,9 @@ namespace record
 
   void Writer::flush()
   {
-    file->pending.write(hdf5::open_file(file->part, hdf5::Mode::modify));
+    hdf5::Handle open = hdf5::open_file(file->part, hdf5::Mode::modify);
+    file->pending.write(open);
+    open.close("cannot write " + file->part);
   }
 
   void Writer::finish(const Profile &profile, const std::string &status)
@@ -193,11 +198,12 @@ namespace record
     file->finished = true;
     const std::string xdmf = std::filesystem::path(file->path).replace_extension(".xdmf").string();
     {
-      const hdf5::Handle open = hdf5::open_file(file->part, hdf5::Mode::modify);
+      hdf5::Handle open = hdf5::open_file(file->part, hdf5::Mode::modify);
       file->pending.write(open);
       write_profile(open, profile);
       hdf5::set_attribute(open, "status", status);
       write_xdmf(open, std::filesystem::path(file->path).filename().string(), xdmf + ".part");
+      open.close("cannot write " + file->part);
     }
     std::filesystem::rename(file->part, file->path);
     std::filesystem::rename(xdmf + ".part", xdmf);

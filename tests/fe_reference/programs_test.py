@@ -5,6 +5,7 @@ usage: programs_test.py FE_REFERENCE [unittest options]. Exit code 77: a Python 
 """
 
 import os
+import resource
 import shutil
 import signal
 import subprocess
@@ -176,6 +177,36 @@ class Programs(unittest.TestCase):
         text = process.communicate(timeout=600)[1]
         self.assertEqual(process.returncode, 3, text)
         self.assertIn("repeat with", text)
+
+    def test_a_full_disk_is_no_bad_input_and_no_crash(self):
+        # As if the disk got full under way: MPI could not even start under such a limit.
+        scene = self.scene(cells="16, 32", steps=400)
+        signal.signal(signal.SIGXFSZ, signal.SIG_IGN)  # so that a write fails instead; inherited
+        process = subprocess.Popen(self.command(scene, "full"), env=ENVIRONMENT, stdout=subprocess.DEVNULL,
+                                   stderr=subprocess.PIPE, text=True, restore_signals=False)
+        while process.poll() is None and not os.path.exists(self.path("full", "fe_reference.h5.part")):
+            time.sleep(0.01)
+        resource.prlimit(process.pid, resource.RLIMIT_FSIZE, (60000, 60000))
+        text = process.communicate(timeout=600)[1]
+        self.assertEqual(process.returncode, 3, text)
+        self.assertIn("repeat with", text)
+        self.assertFalse(os.path.exists(self.path("full")), "an unfinished record has the final name")
+
+    def test_record_names_the_libraries_that_it_used(self):
+        rectangle = self.scene(cells="2, 4", steps=2)
+        disc = os.path.join(self.folder, "disc.toml")
+        with open(rectangle) as source, open(disc, "w") as file:
+            text = source.read().replace('shape  = "rectangle"', 'shape  = "polygon"')
+            corners = "vertices = [[2.0, 0.2], [3.0, 0.2], [3.0, 2.2], [2.0, 2.2]]"
+            file.write(text.replace("corner = [2.0, 0.2]", corners).replace("size   = [1.0, 2.0]", ""))
+        for scene, output, gmsh in ((rectangle, "structured", False), (disc, "unstructured", True)):
+            code, text = self.run_to_end(self.command(scene, output))
+            self.assertEqual(code, 0, text)
+            with h5py.File(self.path(output)) as file:
+                named = dict(file["provenance"].attrs)
+            for library in ("deal.II", "trilinos", "hdf5", "eigen") + (("gmsh",) if gmsh else ()):
+                self.assertRegex(named.get(library, ""), r"^[0-9]+\.[0-9]+", library)
+            self.assertEqual("gmsh" in named, gmsh)
 
     def test_bad_scene_ends_with_two_and_leaves_no_record(self):
         scene = self.scene(cells="-4, 8")
