@@ -19,6 +19,12 @@ std::map<std::string, double> memory(const World &world)
     held["orientation"] = static_cast<double>(world.orientation->bytes());
   if (world.growth)
     held["growth"] = static_cast<double>(world.growth->bytes());
+  if (world.noise)
+    held["noise"] = static_cast<double>(world.noise->bytes());
+  if (world.walls)
+    held["walls"] = static_cast<double>(medium::bytes(*world.walls));
+  if (world.imposed)
+    held["imposed motion"] = sizeof(*world.imposed);
   if (world.velocity)
     held["velocity"] = static_cast<double>(world.velocity->x.bytes() + world.velocity->y.bytes());
   if (world.advection)
@@ -55,6 +61,8 @@ std::map<std::string, double> numbers(const World &world)
     all["growth_step"] = growth_step(world);
     all["nodes"] = static_cast<double>(world.mesh->node_count());
   }
+  if (world.noise)
+    all["noise_calls"] = static_cast<double>(world.noise->calls());
   all["coupling_steps"] = static_cast<double>(world.steps);
   return all;
 }

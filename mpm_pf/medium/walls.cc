@@ -254,6 +254,11 @@ namespace medium
     return soonest;
   }
 
+  std::size_t bytes(const Walls &walls)
+  {
+    return sizeof(walls) + walls.walls.capacity() * sizeof(Wall);
+  }
+
   double compression(const Walls &walls)
   {
     const auto present = [](const Wall &wall) { return wall.travel; };

@@ -131,6 +131,9 @@ namespace medium
   /// away, or reached already.
   double time_to_compression(const Walls &, double time, double wanted, double longest);
 
+  /// Memory held by the walls; what they fill behind them belongs to the fields.
+  std::size_t bytes(const Walls &);
+
   /// State for a checkpoint, exact bits, and back into walls made from the same scene.
   std::vector<double> pack(const Walls &);
   void unpack(Walls &, const std::vector<double> &);

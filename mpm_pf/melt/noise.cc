@@ -55,6 +55,11 @@ namespace melt
     return c;
   }
 
+  std::size_t Noise::bytes() const
+  {
+    return sizeof(*this) + (axis[0].width.capacity() + axis[1].width.capacity()) * sizeof(float);
+  }
+
   Noise::Axis Noise::make_axis(int count, Boundary low, Boundary high, bool fold)
   {
     Axis made;
@@ -186,6 +191,7 @@ namespace melt
   void Noise::add_rows(Field<Real> &theta, int first, int end, long step, double h,
                        const medium::Cuts *cuts) const
   {
+    counted.fetch_add(1, std::memory_order_relaxed);
     const medium::Cuts none, &walls = cuts ? *cuts : none;
     std::vector<float> width = axis[0].width;
     for (const Edge edge : {Edge::left, Edge::right})

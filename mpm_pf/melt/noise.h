@@ -18,6 +18,7 @@
 // about the middle, so that the quarter and the whole see the same fluctuations.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <vector>
 
@@ -53,7 +54,13 @@ namespace melt
     void add_rows(Field<Real> &theta, int first, int end, long step, double h,
                   const medium::Cuts *cuts = nullptr) const;
 
+    /// Memory held: the noise is made anew in every step.
+    std::size_t bytes() const;
+    /// How often add_rows() was called, by any thread.
+    long calls() const { return counted; }
+
   private:
+    mutable std::atomic<long> counted{0};
     /// Where the nodes and faces of one axis take their numbers from. Face f lies between nodes
     /// f - 1 and f and takes the number of node f - 1: when folded, both counted from the middle.
     struct Axis

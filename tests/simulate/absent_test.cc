@@ -10,6 +10,7 @@
 #include "forecast.h"
 #include "forecast_growth.h"
 #include "melt_history.h"
+#include "record/reader.h"
 #include "scene/reader.h"
 #include "simulate.h"
 
@@ -63,19 +64,59 @@ namespace
           sum += part.calls;
       return sum;
     }
+    double number(const std::string &name) const
+    {
+      const auto all = numbers(world);
+      const auto found = all.find(name);
+      return found == all.end() ? 0. : found->second;
+    }
     bool has_column(const std::string &name) const
     {
       const auto names = melt_history(world).names;
       return std::find(names.begin(), names.end(), name) != names.end();
     }
   };
+
+  const std::string walled =
+      "[[wall]]\nside = \"top\"\nspeed = 0.1\ntravel = 5.0\nstart_time = 0.0\n";
+  const std::string pushed = "[imposed]\nvelocity = [\"0.1\", \"0\"]\n";
+  const std::string noisy = "[noise]\nstrength = 1e-3\nseed = 1\n";
+
+  /// Every column and table that a run of that scene writes, "|" after each.
+  std::string output_of(const std::string &text)
+  {
+    const scene::Scene scene = Moved::read(text + "[[probe]]\nname = \"all\"\nhistory = true\n");
+    const auto path =
+        std::filesystem::temp_directory_path() / ("absent_" + std::to_string(getpid()) + ".h5");
+    World world = build_world(scene, 1);
+    record::Writer writer(path.string(), {}, scene, true);
+    Recorder recorder(scene, writer);
+    simulate(world, recorder, [](const World &now) { return now.steps < 2; });
+    writer.finish({});
+    const record::Reader reader(path.string());
+    std::string all = "|";
+    for (const auto &table : reader.tables())
+    {
+      all += table + '|';
+      for (const auto &column : reader.table(table).columns.names)
+        all += column + '|';
+    }
+    std::filesystem::remove(path);
+    std::filesystem::remove(std::filesystem::path(path).replace_extension(".xdmf"));
+    return all;
+  }
+
+  bool writes(const std::string &output, const std::string &name)
+  {
+    return output.find("|" + name + "|") != std::string::npos;
+  }
 } // namespace
 
 TEST(Absent, MeltCostsASolidNothing)
 {
   const Moved it(head + block);
-  for (const char *module :
-       {"phase field", "heat", "orientation", "growth", "velocity", "advection"})
+  for (const char *module : {"phase field", "heat", "orientation", "growth", "velocity",
+                             "advection", "noise", "walls", "imposed motion"})
     EXPECT_EQ(it.bytes(module), 0.) << module;
   for (const char *module : {"growth", "heat", "advection", "walls", "imposed motion"})
     EXPECT_EQ(it.calls(module), 0) << module;
@@ -90,8 +131,10 @@ TEST(Absent, MeltCostsASolidNothing)
 TEST(Absent, SolidAndMotionCostACrystalNothing)
 {
   const Moved it(head + growth);
-  for (const char *module : {"solid", "velocity", "advection", "orientation"})
+  for (const char *module :
+       {"solid", "velocity", "advection", "orientation", "noise", "walls", "imposed motion"})
     EXPECT_EQ(it.bytes(module), 0.) << module;
+  EXPECT_EQ(it.number("noise_calls"), 0.);
   for (const char *module :
        {"points", "nodes", "sorting", "solid", "advection", "walls", "imposed"})
     EXPECT_EQ(it.calls(module), 0) << module;
@@ -127,6 +170,66 @@ TEST(Absent, PhaseCostsHeatAloneNothing)
   EXPECT_EQ(it.calls("growth"), 0);
   EXPECT_EQ(it.calls("heat"), 3);
   EXPECT_FALSE(it.has_column("solid_area"));
+}
+
+TEST(Absent, WhatIsThereIsCounted)
+{
+  const Moved it(head + growth + noisy + block + walled);
+  EXPECT_GT(it.bytes("noise"), 4. * 2. * 33.); // a width for each line of nodes
+  EXPECT_GT(it.number("noise_calls"), 0.);
+  EXPECT_GT(it.bytes("walls"), 0.);
+  EXPECT_EQ(it.calls("walls"), 3);
+  EXPECT_GT(Moved(head + marker + pushed).bytes("imposed motion"), 0.);
+}
+
+namespace
+{
+  const char *const of_phase[] = {"solid_area", "interface_length", "interface_width", "phi_min",
+                                  "phi_max"};
+  const char *const of_heat[] = {"theta_mean", "theta_variance", "theta_min", "theta_max",
+                                 "heat_content"};
+  const char *const of_walls[] = {"compression", "swept_heat", "wall_top_position"};
+  const char *const of_solid[] = {"kinetic_energy", "elastic_energy", "plastic_dissipation",
+                                  "external_work",  "energy_balance", "momentum_x"};
+  const char *const of_both[] = {"inertia_travel", "inertia_compression", "force_imbalance"};
+  const char *const of_growing_solid[] = {"grown_area", "melted_area", "owed_area", "area_drift"};
+
+  template <std::size_t n>
+  void expect_columns(const std::string &output, const char *const (&names)[n], const bool there)
+  {
+    for (const char *name : names)
+      EXPECT_EQ(writes(output, name), there) << name << " in " << output;
+  }
+} // namespace
+
+TEST(Absent, NoModuleWritesAColumnOfAnother)
+{
+  const struct
+  {
+    std::string text;
+    bool phase, heat, walls, solid, grows;
+  } cases[] = {{head + block, false, false, false, true, false},
+               {head + block + walled, false, false, true, true, false},
+               {head + block + marker, true, false, false, true, false},
+               {head + growth, true, true, false, false, false},
+               {head + growth + noisy, true, true, false, false, false},
+               {head + growth + block + walled, true, true, true, true, true},
+               {head + marker + pushed + walled, true, false, true, false, false},
+               {head + growth + block, true, true, false, true, true},
+               {head + marker + pushed, true, false, false, false, false}};
+  for (const auto &it : cases)
+  {
+    const std::string output = output_of(it.text);
+    expect_columns(output, of_phase, it.phase);
+    expect_columns(output, of_heat, it.heat);
+    expect_columns(output, of_walls, it.walls);
+    expect_columns(output, of_solid, it.solid);
+    expect_columns(output, of_both, it.walls && it.solid);
+    expect_columns(output, of_growing_solid, it.grows);
+    EXPECT_EQ(writes(output, "active_tiles"), it.heat);
+    EXPECT_EQ(writes(output, "swept_phase"), it.walls && it.phase);
+    EXPECT_EQ(output.find("noise"), std::string::npos) << "noise has nothing of its own to show";
+  }
 }
 
 TEST(Forecast, CountsTheBytesThatTheRunWillHold)
