@@ -1,8 +1,12 @@
 #include "plan.h"
 
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
 #include <sstream>
 #include <vector>
 
+#include "accounts.h"
 #include "forecast.h"
 #include "scene/presets.h"
 
@@ -49,6 +53,32 @@ std::string banner(const scene::Scene &scene)
   out << scene::describe_preset(scene);
   if (scene.fe)
     out << "  [fe] is read by fe_reference only\n";
+  return out.str();
+}
+
+std::string size(const World &world)
+{
+  const scene::Scene &scene = *world.scene;
+  std::ostringstream out;
+  out << std::setprecision(3) << "  size: " << scene.domain.cells[0] << " x "
+      << scene.domain.cells[1] << " cells";
+  if (world.solid && solid::points(*world.solid) > 0)
+    out << ", " << solid::points(*world.solid) << " points";
+  else if (world.solid)
+    out << ", points once the crystal has them";
+  const auto steps = [&](const double step)
+  { return std::max(1., std::ceil(scene.clock.end / step)); };
+  if (world.growth)
+    out << ", about " << steps(growth_step(world)) << " steps of "
+        << (world.phase ? "growth" : "heat");
+  if (world.solid)
+    out << ", about " << steps(solid::stable_step(*world.solid)) << " steps of the solid";
+  if (!world.growth && !world.solid)
+    out << ", about " << steps(coupling_step(world)) << " steps";
+  double bytes = 0.;
+  for (const auto &[what, held] : memory(world))
+    bytes += held;
+  out << "; " << bytes / 1e6 << " MB in the modules now\n";
   return out.str();
 }
 

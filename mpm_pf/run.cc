@@ -1,8 +1,11 @@
 #include "run.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <map>
 #include <optional>
+#include <sstream>
 
 #include <omp.h>
 
@@ -10,6 +13,7 @@
 #include "front_warnings.h"
 #include "inertia.h"
 #include "medium/trouble.h"
+#include "observe.h"
 #include "plan.h"
 #include "quadrature.h"
 #include "record/checkpoint.h"
@@ -20,7 +24,9 @@ namespace
 {
   constexpr double seconds_between_checkpoints = 300.;
 
-  /// A record that could not have been started must not be found by the next campaign.
+  constexpr double seconds_between_weighings = 0.25;
+  constexpr auto last_good = "last good state";
+
   std::string checkpoint_path(const record::CommandLine &command)
   {
     return command.output + "/" + command.record + ".checkpoint.h5";
@@ -36,7 +42,8 @@ namespace
     checkpoint.finish();
   }
 
-  record::Profile profile_of(const World &world, const Recorder &recorder, const double setup_cpu,
+  record::Profile profile_of(const World &world, const Recorder &recorder,
+                             const std::map<std::string, double> &held, const double setup_cpu,
                              const double setup_wall, const double begin_wall)
   {
     record::Profile profile;
@@ -52,7 +59,7 @@ namespace
     profile.numbers["wall_s"] = wall;
     profile.numbers["cpu_s"] = cpu;
     profile.numbers["peak_rss_bytes"] = record::peak_rss_bytes();
-    for (const auto &[what, bytes] : memory(world))
+    for (const auto &[what, bytes] : held)
       profile.numbers["bytes " + what] = bytes;
     return profile;
   }
@@ -65,21 +72,33 @@ namespace
     int go(const std::function<bool()> &stop_asked);
 
   private:
-    void open();
+    void open(bool resume);
     void save();
+    void weigh();
     bool look(const std::function<bool()> &stop_asked);
-    int fail(const std::string &what);
+    int march(const std::function<bool()> &stop_asked);
+    void come_again(long steps, const std::function<bool()> &stop_asked);
+    int fail(const std::string &what, long good, const std::function<bool()> &stop_asked);
+    int abandon(const std::string &what);
     int complete();
-    record::Profile profile() const
+    record::Profile profile()
     {
-      return profile_of(world, *recorder, setup_cpu, setup_wall, begin_wall);
+      weigh();
+      return profile_of(world, *recorder, held, setup_cpu, setup_wall, begin_wall);
+    }
+    void forget_checkpoint() const
+    {
+      std::error_code none;
+      std::filesystem::remove(checkpoint_path(command), none);
     }
 
     const scene::Scene &scene;
     const record::CommandLine &command;
     double begin_wall = record::wall_seconds();
-    double setup_cpu = 0., setup_wall = 0., last_checkpoint = 0.;
+    double setup_cpu = 0., setup_wall = 0., last_checkpoint = 0., last_weighing = 0.;
+    bool saved = false; // there is a checkpoint of this run
     World world;
+    std::map<std::string, double> held; // bytes by module, when they were most
     std::optional<record::Writer> writer;
     std::optional<Recorder> recorder;
     std::optional<record::Progress> progress;
@@ -88,7 +107,8 @@ namespace
   Session::Session(const scene::Scene &asked, const record::CommandLine &line)
       : scene(asked), command(line), world(build_world(asked, line.threads, line.force))
   {
-    open();
+    std::cerr << size(world);
+    open(command.resume);
     setup_cpu = record::cpu_seconds();
     setup_wall = record::wall_seconds() - begin_wall;
     last_checkpoint = record::wall_seconds();
@@ -96,13 +116,14 @@ namespace
                      world.time, scene.clock.end);
   }
 
-  void Session::open()
+  void Session::open(const bool resume)
   {
     std::filesystem::create_directories(command.output);
     const auto provenance = record::collect("mpm_pf", command.joined, command.threads);
-    if (!command.resume || !std::filesystem::exists(checkpoint_path(command)))
+    if (!resume || !std::filesystem::exists(checkpoint_path(command)))
     {
       writer.emplace(command.record_path(), provenance, scene, command.force);
+      forget_checkpoint(); // its record is no more
       recorder.emplace(scene, *writer);
       return;
     }
@@ -113,6 +134,7 @@ namespace
     writer.emplace(command.record_path(), provenance, scene, record::Writer::Resume{world.time});
     recorder.emplace(scene, *writer);
     recorder->restore(from, world.time);
+    saved = true;
   }
 
   void Session::save()
@@ -120,24 +142,88 @@ namespace
     writer->flush();
     save_checkpoint(world, *recorder, checkpoint_path(command));
     last_checkpoint = record::wall_seconds();
+    saved = true;
+  }
+
+  void Session::weigh()
+  {
+    for (const auto &[what, bytes] : memory(world))
+    {
+      double &most = held[what];
+      most = std::max(most, bytes);
+    }
+    last_weighing = record::wall_seconds();
   }
 
   bool Session::look(const std::function<bool()> &stop_asked)
   {
     progress->expect(expected_end(world));
     progress->update(world.time, "step " + std::to_string(world.steps));
+    const double now = record::wall_seconds();
+    if (now - last_weighing > seconds_between_weighings)
+      weigh();
     const bool stop = stop_asked();
-    if (stop || record::wall_seconds() - last_checkpoint > seconds_between_checkpoints)
+    if (stop || now - last_checkpoint > seconds_between_checkpoints)
       save();
     return !stop;
   }
 
-  int Session::fail(const std::string &what)
+  /// Once more from the last checkpoint, or from the start, to the state before the trouble: the
+  /// same scene gives the same bits, so a run that goes well need not keep its states.
+  void Session::come_again(const long steps, const std::function<bool()> &stop_asked)
+  {
+    recorder.reset(), writer.reset();
+    world = World{}; // two at once might not find room
+    world = build_world(scene, command.threads, command.force);
+    open(saved);
+    simulate(world, *recorder,
+             [&](const World &now) { return now.steps < steps && !stop_asked(); });
+    scene::Probe probe;
+    probe.name = last_good;
+    observe(scene::SnapshotProbe{}, probe, world, *writer);
+  }
+
+  int Session::fail(const std::string &what, const long good,
+                    const std::function<bool()> &stop_asked)
   {
     progress->finish("failed");
-    std::cerr << "mpm_pf: " << what
-              << "\nThe record keeps what came before; repeat with: " << command.joined << '\n';
-    writer->finish(profile(), "failed: " + what);
+    std::cerr << "mpm_pf: " << what << "\nGoing back to the last good state ...\n";
+    const record::Profile spent = profile();
+    come_again(good, stop_asked);
+    writer->finish(spent, "failed: " + what);
+    forget_checkpoint();
+    std::cerr << "The record keeps what came before and, as snapshot \"" << last_good
+              << "\", the state after step " << world.steps << " at time " << world.time
+              << ": open " << command.output << '/' << command.record
+              << ".xdmf.\nThe same scene meets the same trouble, so there is nothing to resume: "
+                 "change what is named above and start anew.\nrepeat with: "
+              << command.joined << '\n';
+    return record::numerical_trouble;
+  }
+
+  /// Stopped by what the scene is not to blame for: a full disk, a file that cannot be written.
+  int Session::abandon(const std::string &what)
+  {
+    progress->finish("stopped");
+    std::ostringstream text;
+    text << "stopped after step " << world.steps << " at time " << world.time << ": " << what;
+    std::cerr << "mpm_pf: " << text.str() << "\nWhat could be recorded is in "
+              << command.record_path()
+              << ".part; remove the cause and go on with --resume, which starts "
+              << (saved ? "from the last checkpoint" : "anew")
+              << ".\nrepeat with: " << command.joined << '\n';
+    try
+    {
+      if (writer)
+      {
+        writer->attribute("stopped_by", text.str());
+        writer->flush();
+      }
+    }
+    catch (const std::exception &)
+    {
+      // Where nothing can be written, what was said above is all.
+    }
     return record::numerical_trouble;
   }
 
@@ -145,9 +231,9 @@ namespace
   {
     std::string warning = recorder->warning();
     for (const std::string &doubt :
-         {warning_on_scaling(world), warning_on_quadrature(world), warning_on_thin_bodies(world),
-          warning_on_idle_walls(world), warning_on_energy(world), warning_on_sides(world),
-          warning_on_areas(world)})
+         {warning_on_scaling(world),
+          warning_on_quadrature(world), warning_on_thin_bodies(world), warning_on_idle_walls(world),
+          warning_on_energy(world), warning_on_sides(world), warning_on_areas(world)})
       if (!doubt.empty())
         warning += (warning.empty() ? "" : "; ") + doubt;
     if (!warning.empty())
@@ -161,30 +247,46 @@ namespace
       writer->attribute("inertia", verdict);
     }
     writer->finish(profile());
-    std::error_code none;
-    std::filesystem::remove(checkpoint_path(command), none);
+    forget_checkpoint();
     progress->finish();
     std::cout << command.record_path() << '\n';
     return record::all_right;
+  }
+
+  int Session::march(const std::function<bool()> &stop_asked)
+  {
+    std::string trouble;
+    long good = 0;
+    try
+    {
+      if (!simulate(world, *recorder, [&](const World &) { return look(stop_asked); }))
+      {
+        progress->finish("interrupted; go on with --resume");
+        return record::interrupted;
+      }
+    }
+    catch (const solid::Trouble &found)
+    {
+      trouble = found.what(), good = world.steps;
+    }
+    catch (const medium::NumericalTrouble &found)
+    {
+      // The melt is judged only when its next step begins.
+      trouble = found.what(), good = std::max(world.steps - 1, 0L);
+    }
+    return trouble.empty() ? complete() : fail(trouble, good, stop_asked);
   }
 
   int Session::go(const std::function<bool()> &stop_asked)
   {
     try
     {
-      if (simulate(world, *recorder, [&](const World &) { return look(stop_asked); }))
-        return complete();
+      return march(stop_asked);
     }
-    catch (const solid::Trouble &trouble)
+    catch (const std::exception &error)
     {
-      return fail(trouble.what());
+      return abandon(error.what());
     }
-    catch (const medium::NumericalTrouble &trouble)
-    {
-      return fail(trouble.what());
-    }
-    progress->finish("interrupted; go on with --resume");
-    return record::interrupted;
   }
 } // namespace
 

@@ -32,6 +32,8 @@ bool simulate(World &world, Recorder &recorder, const std::function<bool(const W
     wake_solid(world);
     recorder.observe(world);
   }
+  if (!look(world))
+    return false;
   while (!finished(world))
   {
     const double event = std::min(recorder.next_event(world.time), end);

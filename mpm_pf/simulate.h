@@ -9,7 +9,7 @@
 /// Advance the world by dt: walls, solid, extension into the melt, advection, growth and heat.
 void step(World &world, double dt);
 
-/// Run to the scene's end, observing as the probes ask. After every step `look` is called; it
-/// returns false to stop (interrupted). Returns whether the end was reached. Throws what step()
-/// throws.
+/// Run to the scene's end, observing as the probes ask. Before the first step and after every one
+/// `look` is called; it returns false to stop (interrupted). Returns whether the end was reached.
+/// Throws what step() throws.
 bool simulate(World &world, Recorder &recorder, const std::function<bool(const World &)> &look);
