@@ -35,6 +35,15 @@ namespace
   }
 } // namespace
 
+double arm(const World &world, const medium::Wall &wall)
+{
+  const scene::Edge opposite = opposite_of(wall.side);
+  const bool mirrored =
+      !world.walls->at(opposite) && world.mesh->side(opposite) == scene::Boundary::symmetry;
+  const double span = wall.touched ? wall.span_at_touch : world.scene->domain.size[wall.axis()];
+  return mirrored ? span : span / 2.;
+}
+
 Inertia inertia(const World &world)
 {
   const auto &walls = world.walls->walls;
@@ -45,9 +54,7 @@ Inertia inertia(const World &world)
   const scene::Edge opposite = opposite_of(wall.side);
   Inertia found;
   found.opposed = world.walls->at(opposite) != nullptr;
-  const bool mirrored = !found.opposed && world.mesh->side(opposite) == scene::Boundary::symmetry;
-  const double span = wall.touched ? wall.span_at_touch : world.scene->domain.size[wall.axis()];
-  found.arm = mirrored ? span : span / 2.;
+  found.arm = arm(world, wall);
   found.numbers = solid::quasi_static(*world.solid, found.arm, wall.asked.speed);
   return found;
 }

@@ -17,6 +17,10 @@ struct Inertia
   double compression() const { return arm > 0. ? numbers.inertia_travel / arm : 0.; }
 };
 
+/// Length of the material before a wall, up to a mirror or the middle between it and the opposite
+/// side.
+double arm(const World &, const medium::Wall &);
+
 /// Of a world with a solid between walls.
 Inertia inertia(const World &);
 

@@ -16,6 +16,7 @@
 #include "observe.h"
 #include "plan.h"
 #include "quadrature.h"
+#include "ramp_warnings.h"
 #include "record/checkpoint.h"
 #include "record/progress.h"
 #include "simulate.h"
@@ -231,7 +232,7 @@ namespace
   {
     std::string warning = recorder->warning();
     for (const std::string &doubt :
-         {warning_on_scaling(world),
+         {warning_on_scaling(world), warning_on_wall_ramps(world), warning_on_support_ramps(world),
           warning_on_quadrature(world), warning_on_thin_bodies(world), warning_on_idle_walls(world),
           warning_on_energy(world), warning_on_sides(world), warning_on_areas(world)})
       if (!doubt.empty())
