@@ -19,7 +19,6 @@ namespace solid
     double kinetic = 0.;    // now
     double dissipated = 0.; // by plastic flow since the start
     double largest = 0.;    // start and work so far, when that was most
-    bool doubted = false;   // more than twice that was there when the account was last drawn up
   };
 
   struct Timer
