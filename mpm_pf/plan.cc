@@ -66,15 +66,15 @@ std::string size(const World &world)
     out << ", " << solid::points(*world.solid) << " points";
   else if (world.solid)
     out << ", points once the crystal has them";
+  const char *const word = world.walls ? ", up to " : ", about "; // walls end a run
   const auto steps = [&](const double step)
   { return std::max(1., std::ceil(scene.clock.end / step)); };
   if (world.growth)
-    out << ", about " << steps(growth_step(world)) << " steps of "
-        << (world.phase ? "growth" : "heat");
+    out << word << steps(growth_step(world)) << " steps of " << (world.phase ? "growth" : "heat");
   if (world.solid)
-    out << ", about " << steps(solid::stable_step(*world.solid)) << " steps of the solid";
+    out << word << steps(solid::stable_step(*world.solid)) << " steps of the solid";
   if (!world.growth && !world.solid)
-    out << ", about " << steps(coupling_step(world)) << " steps";
+    out << word << steps(coupling_step(world)) << " steps";
   double bytes = 0.;
   for (const auto &[what, held] : memory(world))
     bytes += held;
