@@ -1,4 +1,4 @@
-"""Error maps for the report: the last snapshot of both solvers on one raster, side by side, and their difference.
+"""Error maps for the report: the last snapshot that both solvers recorded at the same time, on one raster, side by side, and their difference.
 
 Material points are averaged over raster cells; finite-element quadrilaterals are sampled bilinearly inside (one value per cell, so each of
 its samples has that value) and averaged likewise: cell means against cell means, never nodal averages.
@@ -6,6 +6,7 @@ its samples has that value) and averaged likewise: cell means against cell means
 
 import base64
 import io
+import sys
 
 import h5py
 import matplotlib.pyplot as plt
@@ -17,15 +18,34 @@ FIELDS = ("von_mises", "plastic_strain", "displacement_y")
 RASTER = 48  # raster cells along the longer side
 
 
-def last_snapshot(path):
-    """(positions n x 2, {field: n values}) of the last snapshot in a record, or None; None as well if the record is gone."""
+SAME_TIME = 1e-3  # of the longer run, as the checks have it
+
+
+def first_series(record):
+    """The snapshots of a record's first probe of fields: {number as text: group}."""
+    names = sorted(record["snapshots"]) if "snapshots" in record else []
+    return record["snapshots"][names[0]] if names else {}
+
+
+def snapshot_times(path):
+    """{time: number} of the snapshots in a record; empty where it has none or is gone."""
     if not path.exists():
-        return None
+        return {}
     with h5py.File(path, "r") as record:
-        if "snapshots" not in record or not len(record["snapshots"]):
-            return None
-        series = record["snapshots"][sorted(record["snapshots"])[0]]
-        group = series[max(series, key=int)]
+        return {float(group.attrs["time"]): number for number, group in first_series(record).items()}
+
+
+def last_common(first, second):
+    """The last pair of times, one of each, that are the same; None where there is none but the start."""
+    longest = max([*first, *second], default=0.0)
+    pairs = [(a, b) for a in first for b in second if abs(a - b) <= SAME_TIME * longest and max(a, b) > 0.0]
+    return max(pairs, default=None)
+
+
+def snapshot(path, number):
+    """(positions n x 2, {field: n values}) of one snapshot, or None where it is a grid's."""
+    with h5py.File(path, "r") as record:
+        group = first_series(record)[number]
         kind = group.attrs["kind"]
         kind = kind.decode() if isinstance(kind, bytes) else kind
         if kind == "grid":
@@ -54,7 +74,7 @@ def raster(places, values, box, cells):
         return (total / count).T
 
 
-def picture(name, a, b, labels):
+def picture(name, a, b, labels, time):
     """PNG (base64) of a, b and a - b, and the text below it. None if they share no material."""
     low = np.minimum(a[0].min(axis=0), b[0].min(axis=0))
     high = np.maximum(a[0].max(axis=0), b[0].max(axis=0))
@@ -88,7 +108,7 @@ def picture(name, a, b, labels):
     figure.savefig(stream, format="png", dpi=110, bbox_inches="tight", pad_inches=0.05, metadata={"Software": None})
     plt.close(figure)
     rms = np.sqrt(np.nanmean(difference**2))
-    text = f"{name} at the last snapshot, in the scene's units: {labels[0]}, {labels[1]} and their difference (rms {rms:.3g}, largest {top:.3g}), means over raster cells"
+    text = f"{name} at t = {time:g}, in the scene's units: {labels[0]}, {labels[1]} and their difference (rms {rms:.3g}, largest {top:.3g}), means over raster cells"
     return dict(title=text, png=base64.b64encode(stream.getvalue()).decode())
 
 
@@ -102,9 +122,18 @@ def of_case(folder, case):
         return []
     stem = "scene" if case["suite"] == "full" else case["suite"]
     runs = pairs[0]
-    snapshots = [last_snapshot(folder / case["case"] / stem / (run["name"] + ".h5")) for run in runs]
+    paths = [folder / case["case"] / stem / (run["name"] + ".h5") for run in runs]
+    times = [snapshot_times(path) for path in paths]
+    if not all(times):
+        return []
+    same = last_common(*times)
+    if same is None:
+        last = " and ".join(f'{run["name"]} at t = {max(of_run):g}' for run, of_run in zip(runs, times))
+        print(f'report: no error map of {case["case"]}: no snapshot of both is of the same time (the last: {last})', file=sys.stderr)
+        return []
+    snapshots = [snapshot(path, of_run[time]) for path, of_run, time in zip(paths, times, same)]
     if None in snapshots:
         return []
     shared = [name for name in FIELDS if all(name in fields for _, fields in snapshots)]
-    maps = [picture(name, *snapshots, [run["name"] for run in runs]) for name in shared[:2]]
+    maps = [picture(name, *snapshots, [run["name"] for run in runs], same[0]) for name in shared[:2]]
     return [entry for entry in maps if entry]

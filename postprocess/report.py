@@ -5,7 +5,6 @@ Reads campaign.json, <case>/curves.json and, where there are any, tradeoff/*.jso
 """
 
 import base64
-import json
 import re
 import sys
 from pathlib import Path
@@ -20,6 +19,7 @@ import report_modules
 import report_trade
 from svgplot import Plot
 from table import unit_of
+from written import Unusable, folder_of, program, read_json
 
 MEANING = {
     0: "all right",
@@ -32,8 +32,8 @@ MEANING = {
 }
 
 
-def read_json(path):
-    return json.loads(path.read_text()) if path.is_file() else None
+def read_if_there(path):
+    return read_json(path) if path.is_file() else None
 
 
 def significant(value, digits=4):
@@ -96,7 +96,7 @@ def order_plot(order):
 
 def add_pictures(folder, case):
     """Puts an SVG into each check that has curves, an outline or an order."""
-    curves = {c["check"]: c for c in read_json(folder / case["case"] / "curves.json") or []}
+    curves = {c["check"]: c for c in read_if_there(folder / case["case"] / "curves.json") or []}
     for check in case["checks"]:
         check["picture"], check["value_unit"] = "", unit_of(check)
         if "order" in check:
@@ -143,7 +143,7 @@ def not_passed(campaign, most=3):
 def left_over(folder, campaign):
     """Cases that an earlier campaign left in the folder: name, checks passed, checks. They are no part of this one."""
     known = {case["case"] for case in campaign["cases"]}
-    found = [json.loads(path.read_text()) for path in sorted(folder.glob("*/verdict.json")) if path.parent.name not in known]
+    found = [read_json(path) for path in sorted(folder.glob("*/verdict.json")) if path.parent.name not in known]
     return [(case["case"], sum(check["status"] == "pass" for check in case["checks"]), len(case["checks"])) for case in found]
 
 
@@ -155,7 +155,7 @@ def heading(campaign):
 
 
 def write(folder):
-    campaign = read_json(folder / "campaign.json")
+    campaign = read_if_there(folder / "campaign.json")
     if campaign is None:  # a trade or a map was measured without a campaign
         campaign = dict(suite="", started="", wall_s=None, exit_code=0, cores=0, jobs=0, cases=[], provenance={})
     for case in campaign["cases"]:
@@ -185,7 +185,12 @@ def write(folder):
     target.with_suffix(".part").replace(target)
 
 
+def main(arguments):
+    if len(arguments) != 1:
+        raise Unusable("usage: report.py DIR")
+    write(folder_of(arguments[0]))
+    return 0
+
+
 if __name__ == "__main__":
-    if len(sys.argv) != 2:
-        sys.exit("usage: report.py DIR")
-    write(Path(sys.argv[1]))
+    program("report", main)

@@ -7,12 +7,11 @@ stability, refined by bisection where the map asks for it; white triangles: the 
     postprocess/report_extremes.py RESULTS_DIR CASE N FILE.svg      the N-th map of the case (from 1), by itself
 """
 
-import json
-import sys
 from html import escape
 from pathlib import Path
 
 from svgplot import standalone
+from written import Unusable, folder_of, program, read_json
 
 CLASSES = {
     "accurate": "#2e8b57",
@@ -160,12 +159,21 @@ def page(stability):
 def pages(folder):
     """[{case, html}] of all maps made under `folder`."""
     found = sorted((folder / "stability").glob("*.json")) if (folder / "stability").is_dir() else []
-    maps = [json.loads(path.read_text()) for path in found]
+    maps = [read_json(path) for path in found]
     return [dict(case=entry["case"], html=page(entry)) for entry in maps]
 
 
+def main(arguments):
+    if len(arguments) != 4:
+        raise Unusable("usage: report_extremes.py RESULTS_DIR CASE N FILE.svg")
+    folder = folder_of(arguments[0]) / "stability"
+    maps = read_json(folder / f"{arguments[1]}.json", folder.glob("*.json"))["maps"]
+    number = int(arguments[2]) if arguments[2].isdecimal() else 0
+    if not 1 <= number <= len(maps):
+        raise Unusable(f"{arguments[1]} has no map {arguments[2]}: N counts from 1 to {len(maps)}")
+    Path(arguments[3]).write_text(standalone(picture(maps[number - 1], commands_too=False)))
+    return 0
+
+
 if __name__ == "__main__":
-    if len(sys.argv) != 5:
-        sys.exit("usage: report_extremes.py RESULTS_DIR CASE N FILE.svg")
-    made = json.loads((Path(sys.argv[1]) / "stability" / f"{sys.argv[2]}.json").read_text())
-    Path(sys.argv[4]).write_text(standalone(picture(made["maps"][int(sys.argv[3]) - 1], commands_too=False)))
+    program("report_extremes", main)

@@ -7,12 +7,11 @@ solver had foretold of it.
 Prints the table as Markdown, or writes it between the lines `<!-- modules: begin -->` and `<!-- modules: end -->` of a text file.
 """
 
-import json
 import re
-import sys
 from html import escape
 
 from between_marks import table_program, tell_origin
+from written import folder_of, program, read_json
 
 MARKS = {"met": "✓", "missed": "✗", "not judged": "–"}
 # The whole of a run, and what is counted within another part.
@@ -144,8 +143,8 @@ def markdown(campaign):
 
 
 def table(folder):
-    path = folder / "campaign.json"
-    campaign = json.loads(path.read_text()) if path.is_file() else None
+    path = folder_of(folder) / "campaign.json"
+    campaign = read_json(path) if path.is_file() else None
     lines = list(markdown(campaign)) if campaign else []
     if len(lines) > 2:
         tell_origin(campaign.get("provenance", {}))
@@ -158,4 +157,4 @@ def main(arguments):
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    program("report_modules", main)

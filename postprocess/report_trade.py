@@ -7,12 +7,11 @@ front of each solver dashed; runs that diverged, ran out of time or were refused
     postprocess/report_trade.py RESULTS_DIR CASE FILE.svg      the figure of the case's first measure, by itself
 """
 
-import json
-import sys
 from html import escape
 from pathlib import Path
 
 from svgplot import COLOURS, Plot, standalone
+from written import Unusable, folder_of, program, read_json
 
 LOST = ("diverged", "timed out", "failed", "bad input")  # runs that gave no answer
 
@@ -126,12 +125,20 @@ def page(trade):
 def pages(folder):
     """[{case, html}] of all trades measured under `folder`."""
     found = sorted((folder / "tradeoff").glob("*.json")) if (folder / "tradeoff").is_dir() else []
-    trades = [json.loads(path.read_text()) for path in found]
+    trades = [read_json(path) for path in found]
     return [dict(case=trade["case"], html=page(trade)) for trade in trades]
 
 
+def main(arguments):
+    if len(arguments) != 3:
+        raise Unusable("usage: report_trade.py RESULTS_DIR CASE FILE.svg")
+    folder = folder_of(arguments[0]) / "tradeoff"
+    measured = read_json(folder / f"{arguments[1]}.json", folder.glob("*.json"))
+    if not measured["measures"]:
+        raise Unusable(f"the trade of {arguments[1]} has no measure")
+    Path(arguments[2]).write_text(standalone(plot(measured, measured["measures"][0])))
+    return 0
+
+
 if __name__ == "__main__":
-    if len(sys.argv) != 4:
-        sys.exit("usage: report_trade.py RESULTS_DIR CASE FILE.svg")
-    measured = json.loads((Path(sys.argv[1]) / "tradeoff" / f"{sys.argv[2]}.json").read_text())
-    Path(sys.argv[3]).write_text(standalone(plot(measured, measured["measures"][0])))
+    program("report_trade", main)

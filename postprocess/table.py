@@ -2,10 +2,13 @@
 """The result table of a campaign as Markdown, for the README.
 
     postprocess/table.py RESULTS_DIR [CASE ...]     prints one row a check: case, check, value, limit, status
+
+Exit codes: 0 printed, 2 bad input, 4 the folder holds no verdict.
 """
-import json
+
 import sys
-from pathlib import Path
+
+from written import folder_of, program, read_json
 
 
 def number(value):
@@ -25,7 +28,7 @@ def unit_of(check):
 
 
 def rows(folder):
-    verdict = json.loads((folder / "verdict.json").read_text())
+    verdict = read_json(folder / "verdict.json", folder.parent.glob("*/verdict.json"))
     for check in verdict["checks"]:
         yield (folder.name, check["name"], number(check["value"]), limit_text(check["limit"]),
                unit_of(check), check["status"])
@@ -35,15 +38,18 @@ def main(arguments):
     if not arguments:
         print(__doc__)
         return 2
-    results = Path(arguments[0])
+    results = folder_of(arguments[0])
     cases = arguments[1:] or sorted(p.parent.name for p in results.glob("*/verdict.json"))
+    if not cases:
+        print(f"table: {results} holds no <case>/verdict.json: no campaign was run there", file=sys.stderr)
+        return 4
+    lines = [row for case in cases for row in rows(results / case)]  # all of them before the first is printed
     print("| case | check | value | limit | unit | |")
     print("|---|---|---|---|---|---|")
-    for case in cases:
-        for row in rows(results / case):
-            print("| " + " | ".join(row) + " |")
+    for row in lines:
+        print("| " + " | ".join(row) + " |")
     return 0
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    program("table", main)

@@ -1,5 +1,6 @@
 """Fig. 3: a dendrite in a linear shear, its contours and the path of its horizontal tip."""
 
+import re
 from fractions import Fraction
 
 import numpy as np
@@ -12,11 +13,12 @@ import style
 
 def shear_rate(run):
     """g of the imposed velocity (0, -g x)."""
-    text = run.scene["imposed"]["velocity"][1]
-    if not (text.startswith("-") and text.endswith("*x")):
-        raise record.Missing(f"{run.label}: the imposed velocity {text} is not -g*x")
-    top, bottom = text[1:-2].split("/")
-    return float(Fraction(top) / Fraction(bottom))
+    text = str(run.scene.get("imposed", {}).get("velocity", ["", ""])[1])
+    found = re.fullmatch(r"-([\d.eE+-]+)(?:/([\d.eE+-]+))?\*x", text.replace(" ", ""))
+    try:
+        return float(Fraction(found[1]) / Fraction(found[2] or 1))
+    except (TypeError, ValueError, ZeroDivisionError):
+        raise record.Missing(f"{run.label}: the imposed velocity {text!r} is not -g*x with a number or a fraction g") from None
 
 
 def tip_path(run, rate=0.0):

@@ -8,6 +8,7 @@ import pathlib
 import subprocess
 import sys
 import tempfile
+import types
 import unittest
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -107,6 +108,23 @@ class Figures(Scratch):
         code, said = run(self.folder, "--only", "fig99")
         self.assertEqual(code, 2)
         self.assertIn("fig7a", said)
+
+
+class ShearRate(unittest.TestCase):
+    def test_is_a_number_or_a_fraction(self):
+        module = figures.all_figures(HERE.parents[1] / "benchmarks")["fig3"].__globals__
+        rate, missing = module["shear_rate"], module["record"].Missing
+
+        def run_with(velocity):
+            return types.SimpleNamespace(label="run", scene={"imposed": {"velocity": ["0", velocity]}})
+
+        for velocity in ("-0.002*x", "-1/500*x", "-2e-3 * x", "-0.2/100*x"):
+            self.assertAlmostEqual(rate(run_with(velocity)), 0.002, delta=1e-15, msg=velocity)
+        for velocity in ("-a/b*x", "-1/0*x", "0.002*x", 0.0, "-1/2/3*x", "-x"):
+            with self.assertRaisesRegex(missing, "is not -g[*]x", msg=velocity):
+                rate(run_with(velocity))
+        with self.assertRaises(missing):
+            rate(types.SimpleNamespace(label="run", scene={}))
 
 
 class Records(Scratch):
