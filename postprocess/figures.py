@@ -4,8 +4,9 @@
     figures.py RESULTS_DIR [--output DIR] [--only fig5 ...] [--cases DIR]
 
 A case draws its own figures: benchmarks/<case>/figure.py holds FIGURES = {"fig5": function}, each
-function(results) -> (matplotlib figure, [panels.Curve, ...]). What cannot be drawn is said with its reason.
-Exit codes: 0 at least one was drawn, 2 bad input, 4 nothing could be drawn.
+function(results) -> (matplotlib figure, [panels.Curve, ...]). What cannot be drawn is said with its reason; a program
+of a figure that fails does not keep the others from being drawn.
+Exit codes: 0 at least one was drawn, 1 the program of a figure failed, 2 bad input, 4 nothing could be drawn.
 """
 
 import argparse
@@ -14,6 +15,7 @@ import importlib.util
 import pathlib
 import re
 import sys
+import traceback
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
@@ -31,14 +33,27 @@ except ImportError as missing:
     sys.exit(2)
 
 
+def figures_of(script):
+    """FIGURES of one figure.py; of one that cannot be loaded a figure, named after its case, that says so where it is drawn."""
+    spec = importlib.util.spec_from_file_location(f"figure_{script.parent.name}", script)
+    module = importlib.util.module_from_spec(spec)
+    try:
+        spec.loader.exec_module(module)
+    except Exception as error:  # whatever it is, it is that case's
+        failure = error  # `error` ends with this block
+
+        def fail(_):
+            raise failure
+
+        return {script.parent.name: fail}
+    return module.FIGURES
+
+
 def all_figures(cases):
     """{"fig5": function, ...} of every case folder that draws: the paper's figures in its order, then the others."""
     found = {}
     for script in sorted(cases.glob("*/figure.py")):
-        spec = importlib.util.spec_from_file_location(f"figure_{script.parent.name}", script)
-        module = importlib.util.module_from_spec(spec)
-        spec.loader.exec_module(module)
-        for name, function in module.FIGURES.items():
+        for name, function in figures_of(script).items():
             if name in found:
                 raise SystemExit(f"figures.py: {script} draws {name} a second time")
             found[name] = function
@@ -63,17 +78,20 @@ def write_curves(path, curves, sources):
 
 
 def draw(name, function, results, output):
-    """Draw one figure; returns the line that says what became of it, and whether it was drawn."""
+    """Draw one figure; returns the line that says what became of it, and "drawn", "skipped" or "failed"."""
     style.apply()
     results.used = []
     try:
         figure, curves = function(results)
+        sources = list(dict.fromkeys(results.used))
+        style.save(figure, output / name, sources)
+        write_curves(output / f"{name}.csv", curves, sources)
     except record.Missing as reason:
-        return f"{name}: skipped: {reason}", False
-    sources = list(dict.fromkeys(results.used))
-    style.save(figure, output / name, sources)
-    write_curves(output / f"{name}.csv", curves, sources)
-    return f"{name}: drawn from {', '.join(sources)}", True
+        return f"{name}: skipped: {reason}", "skipped"
+    except Exception as error:  # a fault of this figure's program: the others are drawn all the same
+        traceback.print_exc()
+        return f"{name}: failed: {type(error).__name__}: {error}", "failed"
+    return f"{name}: drawn from {', '.join(sources)}", "drawn"
 
 
 def main():
@@ -95,13 +113,13 @@ def main():
         return 2
     output = pathlib.Path(arguments.output or results.folder / "figures")
     output.mkdir(parents=True, exist_ok=True)
-    drawn = 0
+    became = set()
     for name, function in figures.items():
         if arguments.only is None or name in arguments.only:
-            line, done = draw(name, function, results, output)
+            line, fate = draw(name, function, results, output)
             print(line, flush=True)
-            drawn += done
-    return 0 if drawn else 4
+            became.add(fate)
+    return 1 if "failed" in became else 0 if "drawn" in became else 4
 
 
 if __name__ == "__main__":

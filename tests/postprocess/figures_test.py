@@ -102,6 +102,20 @@ class Figures(Scratch):
         self.assertIn("fig7a: skipped: tension_compression", said)
         self.assertFalse((self.folder / "figures/fig5.pdf").exists())
 
+    def test_of_others_are_drawn_where_one_fails(self):
+        draws = "from matplotlib import pyplot\ndef draw(results):\n    return pyplot.figure(), []\nFIGURES = {'fig2': draw}\n"
+        fails = "def draw(results):\n    return 1 / 0\nFIGURES = {'fig1': draw}\n"
+        cases = self.folder / "cases"
+        for case, text in (("a", fails), ("b", draws), ("c", "import a_module_that_is_not_there\n")):
+            (cases / case).mkdir(parents=True)
+            (cases / case / "figure.py").write_text(text)
+        code, said = run(self.folder, "--cases", cases)
+        self.assertEqual(code, 1, said)
+        for line in ("fig1: failed: ZeroDivisionError", "fig2: drawn", "c: failed: ModuleNotFoundError"):
+            self.assertIn(line, said)
+        self.assertTrue((self.folder / "figures/fig2.pdf").exists())
+        self.assertEqual(run(self.folder, "--cases", cases, "--only", "fig2")[0], 0)
+
     def test_have_exit_codes(self):
         self.assertEqual(run(self.folder, "--only", "fig5")[0], 4)
         self.assertEqual(run(self.folder / "nowhere")[0], 2)
