@@ -3,10 +3,10 @@
 #include <filesystem>
 #include <fstream>
 
+#include "../scratch.h"
 #include "record/outline_source.h"
 #include "record/writer.h"
 #include "scene/reader.h"
-#include "scratch.h"
 
 namespace
 {

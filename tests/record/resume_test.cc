@@ -3,10 +3,10 @@
 #include <cstring>
 #include <limits>
 
+#include "../scratch.h"
 #include "record/checkpoint.h"
 #include "record/reader.h"
 #include "record/writer.h"
-#include "scratch.h"
 
 namespace
 {

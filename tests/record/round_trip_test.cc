@@ -3,9 +3,9 @@
 #include <fstream>
 #include <limits>
 
+#include "../scratch.h"
 #include "record/reader.h"
 #include "record/writer.h"
-#include "scratch.h"
 
 namespace
 {

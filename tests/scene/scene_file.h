@@ -1,46 +1,17 @@
 // Scenes written to a fresh folder for one test, and what is said about them.
 #pragma once
 
-#include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
+#include "../scratch.h"
 #include "scene/reader.h"
 
 namespace scene_test
 {
-  /// A folder of its own for each running test; removed at the end.
-  class Folder
-  {
-  public:
-    Folder()
-    {
-      const auto *test = testing::UnitTest::GetInstance()->current_test_info();
-      path = std::filesystem::temp_directory_path() /
-             (std::string("scene_") + test->test_suite_name() + "_" + test->name() + "_" +
-              std::to_string(::getpid()));
-      std::filesystem::create_directories(path);
-    }
-    ~Folder()
-    {
-      std::error_code ignored;
-      std::filesystem::remove_all(path, ignored);
-    }
-    /// Writes a file and returns its path.
-    std::string write(const std::string &name, const std::string &text) const
-    {
-      std::filesystem::create_directories((path / name).parent_path());
-      std::ofstream(path / name) << text;
-      return (path / name).string();
-    }
-
-  private:
-    std::filesystem::path path;
-  };
+  using Folder = Scratch;
 
   /// All that read_scene complains of; "" if it accepts the scene.
   inline std::string complaints(const std::string &path,

@@ -1,18 +1,15 @@
 // What a scene does not name costs nothing: no bytes, no calls, no columns, no step limit.
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include "accounts.h"
 #include "forecast.h"
 #include "forecast_growth.h"
 #include "melt_history.h"
 #include "record/reader.h"
-#include "scene/reader.h"
 #include "simulate.h"
+#include "written_scene.h"
 
 namespace
 {
@@ -35,17 +32,7 @@ namespace
       for (int k = 0; k < 3; ++k)
         step(world, std::min(coupling_step(world), 0.05));
     }
-    static scene::Scene read(const std::string &text)
-    {
-      static int number = 0;
-      const auto path =
-          std::filesystem::temp_directory_path() /
-          ("absent_" + std::to_string(getpid()) + "_" + std::to_string(number++) + ".toml");
-      std::ofstream(path) << text;
-      scene::Scene scene = scene::read_scene(path.string(), {});
-      std::filesystem::remove(path);
-      return scene;
-    }
+    static scene::Scene read(const std::string &text) { return scene_of(text); }
 
     /// Bytes of the parts whose names begin with `module`.
     double bytes(const std::string &module) const
@@ -86,14 +73,14 @@ namespace
   std::string output_of(const std::string &text)
   {
     const scene::Scene scene = Moved::read(text + "[[probe]]\nname = \"all\"\nhistory = true\n");
-    const auto path =
-        std::filesystem::temp_directory_path() / ("absent_" + std::to_string(getpid()) + ".h5");
+    const Scratch scratch;
+    const std::string path = scratch / "absent.h5";
     World world = build_world(scene, 1);
-    record::Writer writer(path.string(), {}, scene, true);
+    record::Writer writer(path, {}, scene, true);
     Recorder recorder(scene, writer);
     simulate(world, recorder, [](const World &now) { return now.steps < 2; });
     writer.finish({});
-    const record::Reader reader(path.string());
+    const record::Reader reader(path);
     std::string all = "|";
     for (const auto &table : reader.tables())
     {
@@ -101,8 +88,6 @@ namespace
       for (const auto &column : reader.table(table).columns.names)
         all += column + '|';
     }
-    std::filesystem::remove(path);
-    std::filesystem::remove(std::filesystem::path(path).replace_extension(".xdmf"));
     return all;
   }
 

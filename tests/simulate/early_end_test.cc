@@ -1,13 +1,10 @@
 // A run that its walls end early must still answer the probes that look at the end.
-#include <filesystem>
-#include <fstream>
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include "record/reader.h"
-#include "scene/reader.h"
 #include "simulate.h"
+#include "written_scene.h"
 
 namespace
 {
@@ -24,12 +21,9 @@ namespace
 
 TEST(EarlyEnd, IsSeenOnceByProbesOfTheEndAndOfIntervals)
 {
-  const auto folder =
-      std::filesystem::temp_directory_path() / ("early_end_" + std::to_string(getpid()));
-  std::filesystem::create_directories(folder);
-  std::ofstream(folder / "scene.toml") << walled;
-  const scene::Scene scene = scene::read_scene((folder / "scene.toml").string(), {});
-  const std::string path = (folder / "record.h5").string();
+  const Scratch scratch;
+  const scene::Scene scene = scene_of(walled);
+  const std::string path = scratch / "record.h5";
   {
     World world = build_world(scene, 1);
     record::Writer writer(path, record::collect("test", "test", 1), scene, true);
@@ -44,7 +38,6 @@ TEST(EarlyEnd, IsSeenOnceByProbesOfTheEndAndOfIntervals)
   const auto times = reader.table("melt").time;
   ASSERT_EQ(times.size(), 4u); // 0, 2, 4 and the end
   EXPECT_NEAR(times.back(), 4.5, 0.1);
-  std::filesystem::remove_all(folder);
 }
 
 TEST(EarlyEnd, CompressionCountsFromTheFirstContactWithAndWithoutAPhaseField)
@@ -53,9 +46,7 @@ TEST(EarlyEnd, CompressionCountsFromTheFirstContactWithAndWithoutAPhaseField)
   plain.erase(plain.find("[phase_field]"), std::string("[phase_field]\nwidth = 1.0\n").size());
   for (const std::string &text : {walled, plain})
   {
-    const std::string path = ::testing::TempDir() + "contact_" + std::to_string(getpid()) + ".toml";
-    std::ofstream(path) << text;
-    const scene::Scene scene = scene::read_scene(path, {});
+    const scene::Scene scene = scene_of(text);
     World world = build_world(scene, 1);
     double foreseen = 0.;
     while (!finished(world))
@@ -70,22 +61,17 @@ TEST(EarlyEnd, CompressionCountsFromTheFirstContactWithAndWithoutAPhaseField)
     EXPECT_NEAR(foreseen, world.time, 0.1);
     const double tenth_of_a_cell = 0.05; // what an edge on a grid line is felt to
     EXPECT_NEAR(medium::compression(*world.walls), 0.5 / 12., tenth_of_a_cell / 12.) << text;
-    std::filesystem::remove(path);
   }
 }
 
 TEST(EarlyEnd, CompressionsAreSeenWhenTheyAreReached)
 {
-  const auto folder =
-      std::filesystem::temp_directory_path() / ("compressions_" + std::to_string(getpid()));
-  std::filesystem::create_directories(folder);
+  const Scratch scratch;
   std::string text = walled;
   text.replace(text.find("every = 2.0"), 11, "compressions = [0.013, 0.031]");
-  std::ofstream(folder / "scene.toml") << text;
-  const scene::Scene scene = scene::read_scene((folder / "scene.toml").string(), {});
+  const scene::Scene scene = scene_of(text);
   World world = build_world(scene, 1);
-  record::Writer writer((folder / "record.h5").string(), record::collect("test", "test", 1), scene,
-                        true);
+  record::Writer writer(scratch / "record.h5", record::collect("test", "test", 1), scene, true);
   Recorder recorder(scene, writer);
   double wanted = recorder.next_compression(), before = 0.;
   int seen = 0;
@@ -103,23 +89,19 @@ TEST(EarlyEnd, CompressionsAreSeenWhenTheyAreReached)
                        }));
   EXPECT_EQ(seen, 2);
   writer.finish({});
-  std::filesystem::remove_all(folder);
 }
 
 TEST(EarlyEnd, AWallThatWouldStartAfterItIsRefused)
 {
-  const std::string path = ::testing::TempDir() + "late_" + std::to_string(getpid()) + ".toml";
   std::string late = walled;
   late.replace(late.find("start_time = 0.0"), 16, "start_time = 9.0");
-  std::ofstream(path) << late;
   try
   {
-    scene::read_scene(path, {});
+    scene_of(late);
     ADD_FAILURE() << "it was accepted";
   }
   catch (const scene::BadScene &refusal)
   {
     EXPECT_NE(std::string(refusal.what()).find("when the run has ended"), std::string::npos);
   }
-  std::filesystem::remove(path);
 }

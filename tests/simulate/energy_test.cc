@@ -1,21 +1,16 @@
 // Energy that the transfers between points and grid eat is told.
-#include <fstream>
-
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include "inertia.h"
-#include "scene/reader.h"
+#include "written_scene.h"
 
 namespace
 {
   World world_of(const std::string &text)
   {
-    const std::string path = ::testing::TempDir() + "energy_" + std::to_string(getpid()) + ".toml";
-    std::ofstream(path) << text;
     static std::vector<scene::Scene> scenes; // a world refers to its own
     scenes.reserve(8);
-    scenes.push_back(scene::read_scene(path, {}));
+    scenes.push_back(scene_of(text));
     return build_world(scenes.back(), 1);
   }
 } // namespace

@@ -1,27 +1,22 @@
 // A density scaled for a slow load: waves must still have time to bring the bodies to rest.
-#include <fstream>
-
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include "inertia.h"
-#include "scene/reader.h"
+#include "written_scene.h"
 
 namespace
 {
   std::string said(const std::string &of_points, const std::string &of_body = "")
   {
-    const std::string path = ::testing::TempDir() + "scaling_" + std::to_string(getpid()) + ".toml";
-    std::ofstream(path)
-        << "title = \"t\"\n[domain]\nsize = [2.0, 2.0]\ncells = [8, 8]\n"
-           "[[body]]\nshape = \"rectangle\"\ncorner = [0.5, 0.0]\nsize = [1.0, 1.0]\n"
-        << of_body
-        << "[solid]\nyoung_modulus = 1e6\npoisson_ratio = 0.3\ndensity = 1000.0\n"
-           "[[support]]\non = \"bottom\"\ndisplacement = [\"free\", \"0\"]\n"
-           "[body_force]\nacceleration = [\"0\", \"-10*smooth(t, 100)\"]\n"
-           "[clock]\nend = 150.0\n[mpm]\n"
-        << of_points;
-    const scene::Scene scene = scene::read_scene(path, {});
+    const scene::Scene scene =
+        scene_of("title = \"t\"\n[domain]\nsize = [2.0, 2.0]\ncells = [8, 8]\n"
+                 "[[body]]\nshape = \"rectangle\"\ncorner = [0.5, 0.0]\nsize = [1.0, 1.0]\n" +
+                 of_body +
+                 "[solid]\nyoung_modulus = 1e6\npoisson_ratio = 0.3\ndensity = 1000.0\n"
+                 "[[support]]\non = \"bottom\"\ndisplacement = [\"free\", \"0\"]\n"
+                 "[body_force]\nacceleration = [\"0\", \"-10*smooth(t, 100)\"]\n"
+                 "[clock]\nend = 150.0\n[mpm]\n" +
+                 of_points);
     return warning_on_scaling(build_world(scene, 1));
   }
 } // namespace

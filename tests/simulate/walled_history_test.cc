@@ -1,15 +1,12 @@
 // What the history says of the melt holds between the walls, not behind or along them.
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <map>
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include "melt_history.h"
-#include "scene/reader.h"
 #include "simulate.h"
+#include "written_scene.h"
 
 namespace
 {
@@ -41,11 +38,9 @@ TEST(WalledHeat, IsCountedBetweenTheWalls)
       "title = \"t\"\n[domain]\nsize = [2.0, 1.0]\ncells = [40, 20]\n"
       "[[wall]]\nside = \"left\"\nspeed = 0.2\ntravel = 0.5\nstart_time = 0.0\n"
       "[clock]\nend = 2.0\n[heat]\ndiffusivity = 0.01\nundercooling = 0.0\n";
-  const std::string path = ::testing::TempDir() + "walled_" + std::to_string(getpid()) + ".toml";
   const auto at_the_end = [&](const std::string &rest)
   {
-    std::ofstream(path) << head << rest;
-    const scene::Scene scene = scene::read_scene(path, {});
+    const scene::Scene scene = scene_of(head + rest);
     const World world = run(scene);
     auto row = history(world);
     row["s"] = world.walls->walls[0].position;
@@ -61,22 +56,19 @@ TEST(WalledHeat, IsCountedBetweenTheWalls)
                          "[imposed]\nvelocity = [\"0.2*(2-x)/(2-0.2*t)\", 0.0]\n");
   EXPECT_NEAR(wave["heat_content"], 0., 2e-3);
   EXPECT_NEAR(wave["theta_mean"], 0., 2e-3);
-  std::filesystem::remove(path);
 }
 
 // A wall presses on a marked block from above and squeezes it evenly, its upright sides at rest:
 // the interface is what the two sides show. Along the wall the contour closes where phi is even.
 TEST(WalledFront, HasTheWidthOfItsFreeSides)
 {
-  const std::string path = ::testing::TempDir() + "front_" + std::to_string(getpid()) + ".toml";
-  std::ofstream(path) << "title = \"t\"\n[domain]\nsize = [2.0, 1.0]\ncells = [40, 20]\n"
-                         "[[body]]\nshape = \"rectangle\"\ncorner = [0.6, 0.0]\nsize = [0.8, 1.0]\n"
-                         "[phase_field]\nwidth = 0.1\n"
-                         "[[wall]]\nside = \"top\"\nspeed = 0.2\ntravel = 0.5\nstart_time = 0.0\n"
-                         "[imposed]\nvelocity = [0.0, \"-0.2*y/(1-0.2*t)\"]\n"
-                         "[clock]\nend = 1.0\n";
-  const scene::Scene scene = scene::read_scene(path, {});
+  const scene::Scene scene =
+      scene_of("title = \"t\"\n[domain]\nsize = [2.0, 1.0]\ncells = [40, 20]\n"
+               "[[body]]\nshape = \"rectangle\"\ncorner = [0.6, 0.0]\nsize = [0.8, 1.0]\n"
+               "[phase_field]\nwidth = 0.1\n"
+               "[[wall]]\nside = \"top\"\nspeed = 0.2\ntravel = 0.5\nstart_time = 0.0\n"
+               "[imposed]\nvelocity = [0.0, \"-0.2*y/(1-0.2*t)\"]\n"
+               "[clock]\nend = 1.0\n");
   const World world = run(scene);
   EXPECT_NEAR(history(world)["interface_width"], 0.1, 0.005);
-  std::filesystem::remove(path);
 }
