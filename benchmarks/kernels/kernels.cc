@@ -2,13 +2,15 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
+#include <filesystem>
 #include <memory>
 #include <sstream>
 #include <vector>
 
 #include <benchmark/benchmark.h>
 #include <omp.h>
+
+#include "record/whole_file.h"
 
 namespace kernels
 {
@@ -167,6 +169,14 @@ int main(int argc, char **argv)
   const std::string report = kernels::as_json(best, worst);
   std::fputs(report.c_str(), stdout);
   if (count > 1)
-    std::ofstream(arguments[1]) << report;
+    try
+    {
+      record::write_whole_file(arguments[1], report);
+    }
+    catch (const std::filesystem::filesystem_error &error)
+    {
+      std::fprintf(stderr, "kernels: %s: %s\n", arguments[1], error.code().message().c_str());
+      return 2;
+    }
   return worst > slack ? 1 : 0;
 }

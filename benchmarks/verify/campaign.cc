@@ -30,8 +30,10 @@ namespace verify
       for (const auto &run : needs)
       {
         const std::string mark = "{" + run + "}";
-        for (auto at = setting.find(mark); at != std::string::npos; at = setting.find(mark))
-          setting.replace(at, mark.size(), fs::absolute(folder + "/" + run + ".h5").string());
+        const std::string record = fs::absolute(folder + "/" + run + ".h5").string();
+        for (auto at = setting.find(mark); at != std::string::npos; // a folder may hold the mark
+             at = setting.find(mark, at + record.size()))
+          setting.replace(at, mark.size(), record);
       }
       return setting;
     }
@@ -235,6 +237,16 @@ namespace verify
     return campaign;
   }
 
+  namespace
+  {
+    /// Does a check name the run? Then its verdict says what the absence of its program means.
+    bool judged(const CaseResult &result, const std::string &run)
+    {
+      return std::any_of(result.c.checks.begin(), result.c.checks.end(),
+                         [&](const Check &check) { return runs_of(check).count(run) > 0; });
+    }
+  } // namespace
+
   int exit_code(const std::vector<CaseResult> &cases)
   {
     bool failed = false, missing = false, no_reference = false, drifted = false, bad_input = false,
@@ -248,8 +260,10 @@ namespace verify
         no_reference |= verdict.status == Status::no_reference;
         drifted |= verdict.drift.drifted;
       }
-      for (const auto &outcome : result.outcomes)
+      for (std::size_t i = 0; i < result.outcomes.size(); ++i)
       {
+        const auto &outcome = result.outcomes[i];
+        broken |= outcome.status == "no program" && !judged(result, result.c.runs[i].name);
         bad_input |= outcome.status == "bad input";
         diverged |= outcome.status == "diverged" || outcome.status == "timed out";
         broken |= outcome.status == "failed";

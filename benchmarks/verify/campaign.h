@@ -55,8 +55,9 @@ namespace verify
   /// before any work if an expect.toml is wrong.
   Campaign run_campaign(const CampaignOptions &, const Places &);
 
-  /// 0 all right, 1 a comparison failed, 2 a run found its input bad, 3 diverged or out of time, 4
-  /// reference missing, 5 drift only, 130 interrupted.
+  /// 0 all right, 1 a comparison failed or a run without its program is held against nothing, 2 a
+  /// run found its input bad, 3 diverged or out of time, 4 reference missing, 5 drift only, 130
+  /// interrupted.
   int exit_code(const std::vector<CaseResult> &);
 
   /// The command that repeats one run or one case.

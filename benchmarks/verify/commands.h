@@ -23,5 +23,6 @@ namespace verify
   int presets(const Places &, const std::string &folder, const std::string &readme);
   /// Modules, memory and time per case from campaign.json: printed, or written into `readme`.
   int modules(const Places &, const std::string &folder, const std::string &readme);
+  /// 0 drawn, 1 a figure's own program failed, 2 bad input, 4 there is nothing to draw from.
   int figures(const Places &, const std::string &folder);
 } // namespace verify

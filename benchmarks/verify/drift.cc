@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <map>
 
 #include <fmt/format.h>
 
+#include "record/whole_file.h"
 #include "section.h"
 
 namespace verify
@@ -74,22 +74,21 @@ namespace verify
     for (const auto &verdict : verdicts)
       if (verdict.status == Status::pass)
         all[c.suite][verdict.check.name] = *verdict.value;
-    std::ofstream file(path_of(c));
-    file << "# Last accepted values of the checks, written by `verify run --accept`; a change is "
-            "reported as drift.\n";
+    std::string file =
+        "# Last accepted values of the checks, written by `verify run --accept`; a change is "
+        "reported as drift.\n";
     for (const auto &[suite, values] : all)
       if (!values.empty())
       {
-        file << "\n[" << suite << "]\n";
+        file += "\n[" + suite + "]\n";
         for (const auto &[name, value] : values)
         {
           std::string number = fmt::format("{:.6g}", value);
           if (number.find_first_of(".en") == std::string::npos)
             number += ".0";
-          file << quoted(name) << " = " << number << "\n";
+          file += quoted(name) + " = " + number + "\n";
         }
       }
-    if (!file)
-      throw BadInput(fmt::format("{} cannot be written", path_of(c)));
+    record::write_whole_file(path_of(c), file);
   }
 } // namespace verify

@@ -48,6 +48,29 @@ namespace verify
     return scene_stem(suite) + ".toml";
   }
 
+  namespace
+  {
+    void collect_runs(const Take &take, std::set<std::string> &names)
+    {
+      if (take.kind != Take::Kind::value)
+        names.insert(take.run);
+      for (const auto &inner : take.with)
+        collect_runs(inner, names);
+    }
+  } // namespace
+
+  std::set<std::string> runs_of(const Check &check)
+  {
+    std::set<std::string> names(check.order_over.begin(), check.order_over.end());
+    if (check.order_over.empty())
+      collect_runs(check.take, names);
+    if (check.against.kind == Against::Kind::run)
+      collect_runs(check.against.take, names);
+    names.insert(check.uncertain_take.begin(), check.uncertain_take.end());
+    names.insert(check.uncertain_against.begin(), check.uncertain_against.end());
+    return names;
+  }
+
   bool takes_part(const std::string &folder, const std::string &suite)
   {
     return fs::exists(fs::path(folder) / scene_file(suite));
@@ -148,32 +171,39 @@ namespace verify
       return check;
     }
 
-    void collect_runs(const Take &take, std::set<std::string> &names)
-    {
-      if (take.kind != Take::Kind::value)
-        names.insert(take.run);
-      for (const auto &inner : take.with)
-        collect_runs(inner, names);
-    }
-
     /// Every run that a check names must be one of this suite, with its h where that is needed.
     void check_names(Section &section, const Check &check, const Case &c)
     {
-      std::set<std::string> names(check.order_over.begin(), check.order_over.end());
-      if (check.order_over.empty())
-        collect_runs(check.take, names);
-      if (check.against.kind == Against::Kind::run)
-        collect_runs(check.against.take, names);
       std::set<std::string> graded(check.order_over.begin(), check.order_over.end());
       graded.insert(check.uncertain_take.begin(), check.uncertain_take.end());
       graded.insert(check.uncertain_against.begin(), check.uncertain_against.end());
-      names.insert(graded.begin(), graded.end());
-      for (const auto &name : names)
+      for (const auto &name : runs_of(check))
         if (!c.find_run(name))
           section.complain("take", fmt::format("suite {} has no run `{}`", c.suite, name),
                            "list it as [[run]], or restrict the check with suites = [...]");
         else if (graded.count(name) && !c.find_run(name)->h)
           section.complain("take", fmt::format("run `{}` needs its mesh size `h`", name));
+    }
+
+    /// Runs that need each other would wait for ever.
+    void refuse_circles(Section &file, const Case &c)
+    {
+      std::set<std::string> startable;
+      for (std::size_t before = 1; before != startable.size();)
+      {
+        before = startable.size();
+        for (const auto &run : c.runs)
+          if (std::all_of(run.needs.begin(), run.needs.end(),
+                          [&](const std::string &needed)
+                          { return startable.count(needed) > 0 || !c.find_run(needed); }))
+            startable.insert(run.name);
+      }
+      for (const auto &run : c.runs)
+        if (startable.count(run.name) == 0)
+          file.complain("run",
+                        fmt::format("run `{}` can never start: what it needs, {}, waits for itself",
+                                    run.name, fmt::join(run.needs, ", ")),
+                        "let `needs` name only runs that can be finished before");
     }
 
     void read_runs(Section &file, Case &c)
@@ -193,9 +223,10 @@ namespace verify
         file.complain("", fmt::format("no [[run]] for suite {}", c.suite));
       for (const auto &run : c.runs)
         for (const auto &needed : run.needs)
-          if (!c.find_run(needed) || needed == run.name)
+          if (!c.find_run(needed))
             file.complain("run", fmt::format("run `{}` needs `{}`, which this suite does not have",
                                              run.name, needed));
+      refuse_circles(file, c);
     }
   } // namespace
 

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -81,6 +82,9 @@ namespace verify
     std::optional<double> coverage;
     double drift = 0.02;
   };
+
+  /// Names of all runs that the check takes anything from.
+  std::set<std::string> runs_of(const Check &);
 
   /// A case as it stands in one suite.
   struct Case

@@ -5,12 +5,14 @@
 #include <filesystem>
 #include <fstream>
 #include <optional>
+#include <stdexcept>
 #include <thread>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include "json_text.h"
 #include "progress.h"
+#include "record/whole_file.h"
 
 namespace verify
 {
@@ -42,24 +44,22 @@ namespace verify
 
     void write_state(const Job &job, const Outcome &outcome)
     {
-      const nlohmann::json state{{"hash", job.hash},
-                                 {"status", outcome.status},
-                                 {"exit_code", outcome.exit_code},
-                                 {"wall_s", outcome.wall_s},
-                                 {"cpu_s", outcome.cpu_s},
-                                 {"peak_rss_bytes", outcome.peak_rss_bytes},
-                                 {"time_limit_s", job.command.time_limit_s},
-                                 {"last_words", outcome.last_words},
-                                 {"command", shell(job.command.arguments)}};
-      std::ofstream(job.base + ".run.json.part")
-          << state.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) << "\n";
-      fs::rename(job.base + ".run.json.part", job.base + ".run.json");
+      const Json state{{"hash", job.hash},
+                       {"status", outcome.status},
+                       {"exit_code", outcome.exit_code},
+                       {"wall_s", outcome.wall_s},
+                       {"cpu_s", outcome.cpu_s},
+                       {"peak_rss_bytes", outcome.peak_rss_bytes},
+                       {"time_limit_s", job.command.time_limit_s},
+                       {"last_words", outcome.last_words},
+                       {"command", shell(job.command.arguments)}};
+      record::write_whole_file(job.base + ".run.json", json_text(state));
     }
 
-    nlohmann::json read_state(const Job &job)
+    Json read_state(const Job &job)
     {
       std::ifstream stream(job.base + ".run.json");
-      return stream ? nlohmann::json::parse(stream, nullptr, false) : nlohmann::json();
+      return stream ? Json::parse(stream, nullptr, false) : Json();
     }
 
     /// The outcome of an earlier run of the very same job, if it can be kept.
@@ -188,14 +188,18 @@ namespace verify
     reuse_finished(queue);
     while ((!queue.waiting.empty() && !interrupted()) || !queue.running.empty())
     {
+      bool stuck = queue.running.empty();
       for (auto i = queue.waiting.begin(); i != queue.waiting.end() && !interrupted();)
         if (queue.may_start(*i))
         {
           queue.start(*i);
           i = queue.waiting.erase(i);
+          stuck = false;
         }
         else
           ++i;
+      if (stuck && !interrupted())
+        throw std::logic_error("jobs wait for each other: " + jobs[queue.waiting.front()].name);
       queue.collect();
       queue.progress.show(queue.running.size());
       if (!queue.running.empty())

@@ -10,7 +10,7 @@ namespace verify
     std::string escaped(const std::string &text)
     {
       std::string result;
-      for (const char c : text)
+      for (const char c : as_utf8(text))
         switch (c)
         {
         case '<':

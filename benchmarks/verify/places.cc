@@ -7,7 +7,9 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <sys/wait.h>
 
+#include "jobs.h"
 #include "section.h"
 
 namespace verify
@@ -90,15 +92,11 @@ namespace verify
       fmt::print(stderr, "{} is missing: nothing is drawn\n", file);
       return 2;
     }
-    std::string line = python + " -B " + file;
-    for (const auto &argument : arguments)
-    {
-      line += " '";
-      for (const char c : argument)
-        line += c == '\'' ? std::string("'\\''") : std::string(1, c);
-      line += "'";
-    }
-    const int status = std::system((line + " </dev/null").c_str());
-    return status == -1 ? 2 : (status >> 8) & 0xff;
+    std::vector<std::string> words{python, "-B", file};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    const int status = std::system((shell(words) + " </dev/null").c_str());
+    if (status == -1)
+      return 2;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   }
 } // namespace verify

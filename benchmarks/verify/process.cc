@@ -1,5 +1,6 @@
 #include "process.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
@@ -14,6 +15,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "process_clock.h"
+
 namespace verify
 {
   namespace
@@ -21,6 +24,8 @@ namespace verify
     /// A run may take this many times its limit in wall time: the machine may be busy with others,
     /// or the run may hang.
     constexpr double patience = 5.;
+    /// Seconds between two looks at what a run has started, which opens some files.
+    constexpr double look_every = 0.2;
 
     volatile std::sig_atomic_t interrupt_flag = 0;
     void on_interrupt(int)
@@ -82,20 +87,28 @@ namespace verify
     return now() - start;
   }
 
-  double Process::cpu_s() const
+  double Process::cpu_s()
   {
+    if (wall_s() - family_seen > look_every)
+    {
+      family_seen = wall_s();
+      family_cpu_s = cpu_seconds_with_children(pid);
+    }
     clockid_t clock;
     timespec time{};
-    if (clock_getcpuclockid(pid, &clock) != 0 || clock_gettime(clock, &time) != 0)
-      return 0.;
-    return (static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec)) / cores;
+    double own = 0.;
+    if (clock_getcpuclockid(pid, &clock) == 0 && clock_gettime(clock, &time) == 0)
+      own = static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+    return std::max(own, family_cpu_s) / cores;
   }
 
   std::optional<Ended> Process::poll()
   {
     int status = 0;
     rusage usage{};
-    if (wait4(pid, &status, WNOHANG, &usage) != pid)
+    const pid_t found = wait4(pid, &status, WNOHANG, &usage);
+    const bool lost = found == -1 && errno == ECHILD; // somebody else has waited for it
+    if (found != pid && !lost)
     {
       if (limit > 0. && (cpu_s() > limit || wall_s() > patience * limit) && !timed_out)
         timed_out = wall_s();
@@ -107,7 +120,7 @@ namespace verify
     ended.wall_s = wall_s();
     ended.cpu_s = seconds(usage.ru_utime) + seconds(usage.ru_stime);
     ended.peak_rss_bytes = 1024. * static_cast<double>(usage.ru_maxrss);
-    ended.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    ended.exit_code = lost ? -1 : WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
     ended.timed_out = timed_out.has_value();
     ended.interrupted = interrupted;
     return ended;
@@ -127,6 +140,7 @@ namespace verify
     action.sa_handler = on_interrupt;
     sigaction(SIGINT, &action, nullptr);
     sigaction(SIGTERM, &action, nullptr);
+    std::signal(SIGCHLD, SIG_DFL); // ignored, as some parents leave it, no exit code would arrive
   }
 
   bool interrupted()

@@ -32,12 +32,14 @@ namespace verify
   public:
     /// Throws std::runtime_error if it cannot be started or the log cannot be written.
     explicit Process(const Command &);
-    /// Empty while it runs. Past its time limit it gets SIGTERM, five seconds later SIGKILL.
+    /// Empty while it runs. Past its time limit it gets SIGTERM, five seconds later SIGKILL. Exit
+    /// code -1: it has gone and nobody knows how.
     std::optional<Ended> poll();
     void interrupt(); // SIGTERM to the group
     double wall_s() const;
 
-    double cpu_s() const; // per core
+    /// Per core; of the child and, looked at a few times a second, of all that it started.
+    double cpu_s();
 
   private:
     pid_t pid;
@@ -45,6 +47,7 @@ namespace verify
     int cores;
     std::optional<double> timed_out; // when it was told to stop
     bool interrupted = false;
+    double family_cpu_s = 0., family_seen = 0.; // last look at them, and when it was
   };
 
   /// Turns SIGINT and SIGTERM into a flag.

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "record/provenance.h"
+#include "record/whole_file.h"
 #include "section.h"
 
 namespace verify
@@ -198,8 +199,7 @@ namespace verify
   void write_text(const std::string &path, const std::string &text)
   {
     fs::create_directories(fs::path(path).parent_path());
-    std::ofstream(path + ".part") << text;
-    fs::rename(path + ".part", path);
+    record::write_whole_file(path, text);
   }
 
   namespace
@@ -237,16 +237,15 @@ namespace verify
     for (const auto &result : campaign.cases)
     {
       const Json verdict = case_to_json(result, campaign, places);
-      write_text(output + "/" + result.c.name + "/verdict.json", verdict.dump(1) + "\n");
+      write_text(output + "/" + result.c.name + "/verdict.json", json_text(verdict));
       Json curves = Json::array();
       for (const auto &v : result.verdicts)
         curves.push_back(curves_to_json(v));
-      write_text(output + "/" + result.c.name + "/curves.json", curves.dump() + "\n");
+      write_text(output + "/" + result.c.name + "/curves.json", json_text(curves, true));
       json["cases"].push_back(verdict);
     }
     json["forecasts"] = forecast_sums(json["cases"]);
-    write_text(output + "/campaign.json",
-               json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+    write_text(output + "/campaign.json", json_text(json));
     write_text(output + "/junit.xml", junit(campaign, places));
   }
 } // namespace verify

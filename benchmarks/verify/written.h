@@ -2,14 +2,11 @@
 // junit.xml.
 #pragma once
 
-#include <nlohmann/json.hpp>
-
 #include "campaign.h"
+#include "json_text.h"
 
 namespace verify
 {
-  using Json = nlohmann::ordered_json;
-
   /// NaN and infinity are not JSON: null, with a status beside it.
   Json number_or_null(const std::optional<double> &);
 
@@ -19,6 +16,7 @@ namespace verify
   /// Curves and outlines of one verdict, thinned to what a picture can show.
   Json curves_to_json(const Verdict &);
 
+  /// Whole or not at all (record/whole_file.h), in a folder that is made if need be.
   void write_text(const std::string &path, const std::string &text);
   /// All of the above under the campaign's output folder.
   void write_campaign(const Campaign &, const Places &);

@@ -11,6 +11,7 @@
 //   skew              the outline is a parallelogram about the origin, sheared by this
 //   growth            the energy grows by this factor per unit of time
 //   hole              exit code 2 if the growth is this
+//   bytes             1: its trouble is told in bytes that are no UTF-8
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -31,9 +32,9 @@ namespace
 
   Settings settings_of(const record::CommandLine &command)
   {
-    Settings settings{{"error", 0.},  {"order", 2.},    {"h", 1.},     {"exit", 0.},
-                      {"sleep", 0.},  {"burn", 0.},     {"short", 1.}, {"nan", 0.},
-                      {"growth", 0.}, {"foretold", 0.}, {"hole", -1.}, {"skew", 0.}};
+    Settings settings{{"error", 0.}, {"order", 2.}, {"h", 1.},    {"exit", 0.},   {"sleep", 0.},
+                      {"burn", 0.},  {"short", 1.}, {"nan", 0.},  {"growth", 0.}, {"foretold", 0.},
+                      {"hole", -1.}, {"skew", 0.},  {"bytes", 0.}};
     for (const auto &text : command.overrides)
       if (const auto equal = text.find('='); text.rfind("fake.", 0) == 0 && equal + 1 < text.size())
         settings[text.substr(5, equal - 5)] = std::strtod(text.c_str() + equal + 1, nullptr);
@@ -111,7 +112,7 @@ int main(int argc, char **argv)
     return 2;
   if (s.at("exit") != 0.)
   {
-    std::printf("fake trouble of kind %g\n", s.at("exit"));
+    std::printf("fake trouble of kind %g%s\n", s.at("exit"), s.at("bytes") > 0. ? " \xe9\xff" : "");
     return static_cast<int>(s.at("exit"));
   }
   std::filesystem::create_directories(command.output);

@@ -1,0 +1,123 @@
+// Campaigns in trouble: logs of any bytes, programs and disks that are not there, runs that wait
+// for each other.
+#include <system_error>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "commands.h"
+#include "section.h"
+#include "workspace.h"
+
+using namespace verify;
+
+namespace
+{
+  const std::string lone_run = "[[run]]\nsolver = \"mpm_pf\"\n";
+
+  std::string complaint(const std::string &runs)
+  {
+    const Workspace w;
+    w.write("cases/bar/expect.toml", "title = \"bar\"\n" + runs);
+    try
+    {
+      read_case(w.folder(), "quick");
+    }
+    catch (const BadInput &error)
+    {
+      return error.what();
+    }
+    return "";
+  }
+
+  std::string run_called(const std::string &name, const std::string &needs)
+  {
+    return "[[run]]\nname = \"" + name + "\"\nsolver = \"mpm_pf\"\nneeds = [" + needs + "]\n";
+  }
+} // namespace
+
+TEST(Needs, InACircleAreRefused)
+{
+  const std::string both = complaint(run_called("a", "\"b\"") + run_called("b", "\"a\""));
+  EXPECT_NE(both.find("run `a` can never start"), std::string::npos) << both;
+  EXPECT_NE(both.find("run `b` can never start"), std::string::npos) << both;
+  const std::string itself = complaint(run_called("a", "\"a\""));
+  EXPECT_NE(itself.find("run `a` can never start"), std::string::npos) << itself;
+  EXPECT_EQ(
+      complaint(run_called("c", "\"a\", \"b\"") + run_called("b", "\"a\"") + run_called("a", "")),
+      "");
+}
+
+TEST(Campaign, SurvivesALogOfAnyBytes)
+{
+  const Workspace w;
+  const auto campaign =
+      w.run("[[run]]\nsolver = \"mpm_pf\"\nset = [\"fake.bytes=1\", \"fake.exit=3\"]\n");
+  EXPECT_EQ(campaign.exit_code, 3);
+  for (const char *file : {"campaign.json", "bar/verdict.json", "bar/quick/mpm_pf.run.json"})
+  {
+    const auto json = nlohmann::json::parse(w.read(std::string("results/") + file), nullptr, false);
+    EXPECT_FALSE(json.is_discarded()) << file;
+  }
+  const std::string junit = w.read("results/junit.xml");
+  EXPECT_NE(junit.find("fake trouble"), std::string::npos);
+  EXPECT_NO_THROW(nlohmann::json(junit).dump()) << "no UTF-8";
+}
+
+TEST(Campaign, WithoutItsOnlyProgramDoesNotPass)
+{
+  const Workspace w;
+  std::filesystem::remove(w.root / "bin" / "mpm_pf");
+  EXPECT_EQ(w.run(lone_run).exit_code, 1);
+  EXPECT_EQ(w.run("[[run]]\nsolver = \"mpm_pf\"\nexpect_exit = 2\n").exit_code, 1);
+}
+
+TEST(Campaign, NamesRecordsInFoldersThatLookLikeNames)
+{
+  const Workspace w;
+  w.write("cases/bar/expect.toml",
+          "title = \"bar\"\n" + run_called("first", "") +
+              "[[run]]\nname = \"second\"\nsolver = \"mpm_pf\"\nneeds = [\"first\"]\n"
+              "set = [\"body.path='{first} {first}'\"]\n");
+  auto options = w.options();
+  options.output = (w.root / "{first}").string();
+  const auto campaign = run_campaign(options, w.places());
+  const std::string record = (w.root / "{first}/bar/quick/first.h5").string();
+  EXPECT_EQ(campaign.cases[0].jobs[1].command.arguments.at(3),
+            "body.path='" + record + " " + record + "'");
+}
+
+TEST(Campaign, KeepsTheAcceptedValuesWhereTheDiskIsFull)
+{
+  if (!std::filesystem::exists("/dev/full"))
+    GTEST_SKIP() << "there is no /dev/full here";
+  const Workspace w;
+  w.write("cases/bar/accepted.toml", "[quick]\n\"c\" = 1.0\n");
+  w.write("cases/bar/expect.toml",
+          "title = \"bar\"\n" + lone_run +
+              "[[check]]\nname = \"c\"\nsource = \"s\"\nreason = \"r\"\ntake = {run = \"mpm_pf\", "
+              "number = \"largest\"}\nagainst = {number = 1}\nnorm = \"relative\"\nlimit = 0.5\n");
+  std::filesystem::create_symlink("/dev/full", w.root / "cases/bar/accepted.toml.part");
+  auto options = w.options();
+  options.accept = true;
+  EXPECT_THROW(run_campaign(options, w.places()), std::filesystem::filesystem_error);
+  EXPECT_EQ(w.read("cases/bar/accepted.toml"), "[quick]\n\"c\" = 1.0\n");
+}
+
+TEST(List, NamesEveryCaseThoughOneIsBroken)
+{
+  const Workspace w;
+  w.write("cases/bar/expect.toml", "title = \"bar\"\n" + lone_run);
+  w.write("cases/a broken one/quick.toml", "");
+  w.write("cases/a broken one/expect.toml", "title = \"broken\"\n");
+  testing::internal::CaptureStdout();
+  EXPECT_THROW(list(w.places()), BadInput);
+  const std::string said = testing::internal::GetCapturedStdout();
+  EXPECT_NE(said.find("runs: mpm_pf"), std::string::npos) << said;
+}
+
+TEST(List, OfAFolderWithoutCasesIsRefused)
+{
+  const Workspace w;
+  EXPECT_THROW(list(w.places()), BadInput); // bar has no expect.toml yet
+}
