@@ -16,7 +16,8 @@ namespace verify
   {
     std::string with_word(std::string setting, const std::string &mark, const std::string &word)
     {
-      for (auto at = setting.find(mark); at != std::string::npos; at = setting.find(mark))
+      for (auto at = setting.find(mark); at != std::string::npos; // a word may hold the mark itself
+           at = setting.find(mark, at + word.size()))
         setting.replace(at, mark.size(), word);
       return setting;
     }

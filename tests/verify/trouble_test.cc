@@ -7,6 +7,7 @@
 
 #include "commands.h"
 #include "section.h"
+#include "stability_cells.h"
 #include "workspace.h"
 
 using namespace verify;
@@ -120,4 +121,18 @@ TEST(List, OfAFolderWithoutCasesIsRefused)
 {
   const Workspace w;
   EXPECT_THROW(list(w.places()), BadInput); // bar has no expect.toml yet
+}
+
+TEST(Map, TakesAValueThatLooksLikeItsMark)
+{
+  const Workspace w;
+  Stability stability;
+  stability.c.name = "bar", stability.c.folder = w.folder(), stability.c.suite = "quick";
+  Map map;
+  map.name = "m", map.solver = "mpm_pf", map.scene = "quick.toml";
+  map.x.set = {"title={value}"};
+  const auto options = w.options();
+  const Places places = w.places();
+  const Mapper mapper{stability, places, options, (w.root / "runs").string()};
+  EXPECT_EQ(mapper.cell(map, 0, "'{value}'", "").job.command.arguments.at(3), "title='{value}'");
 }
