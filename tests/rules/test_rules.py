@@ -1,5 +1,7 @@
 """The rule checks can fail: each is shown an offender of its kind."""
 
+import os
+import subprocess
 import sys
 import unittest
 from pathlib import Path
@@ -61,6 +63,18 @@ class PathsAndHeaders(unittest.TestCase):
     def test_headers_open_with_words(self):
         self.assertTrue(offenders(check_headers, "a.h", "#pragma once\n"))
         self.assertFalse(offenders(check_headers, "a.h", "// What this file is about.\n#pragma once\n"))
+
+
+class Skipping(unittest.TestCase):
+    def test_is_a_failure_where_nothing_may_be_skipped(self):
+        def code(script, **more):
+            command = [str(Path(__file__).resolve().parents[1] / "python_test"), "-c", script]
+            environment = {name: value for name, value in os.environ.items() if name != "CI"} | more
+            return subprocess.run(command, env=environment, capture_output=True, stdin=subprocess.DEVNULL, check=False).returncode
+
+        skip = "import sys; sys.exit(77)"
+        self.assertEqual([code(skip), code(skip, CI="false"), code(skip, CI="true")], [77, 77, 1])
+        self.assertEqual([code("pass", CI="true"), code("import sys; sys.exit(3)", CI="true")], [0, 3])
 
 
 if __name__ == "__main__":

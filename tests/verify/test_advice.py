@@ -19,7 +19,7 @@ TIP = P / (6 * ES / 12) * ((4 + 5 * NUS) * L / 4 + 2 * L**3)
 
 TRADE = f"""
 suite = "smoke"
-time_limit_s = 60
+time_limit_s = 300
 [[quantity]]
 name = "tip"
 take = {{table = "tip", of = "displacement_y", reduce = "last"}}
