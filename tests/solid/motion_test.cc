@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "small_scenes.h"
 
@@ -145,20 +146,36 @@ TEST(ShearedBar, StaysOnTheYieldSurfaceAndBalancesItsEnergy)
               -1., 1e-6);
 }
 
-TEST(ShearedBar, EveryTransferAndShapeRunsIt)
+namespace
 {
-  for (const scene::ShapeFunction shape :
-       {scene::ShapeFunction::quadratic_bspline, scene::ShapeFunction::ugimp})
-    for (const scene::Transfer transfer : {scene::Transfer::tpic, scene::Transfer::apic,
-                                           scene::Transfer::flip, scene::Transfer::xpic2})
+  /// Impulse of the upper edge and mean equivalent stress of the sheared bar at t = 0.03, half way
+  /// to its yield stress.
+  std::pair<double, double> sheared(const int cells, const scene::ShapeFunction shape,
+                                    const scene::Transfer transfer)
+  {
+    scene::Scene scene = small::sheared_bar(cells, 0.03);
+    scene.mpm->shape_function = shape, scene.mpm->transfer = transfer;
+    const solid::Owner bar = solid::make_solid(scene);
+    solid::advance(*bar, 0.03);
+    return {solid::reaction(*bar, "top").impulse[0], mean(*bar, "von_mises")};
+  }
+} // namespace
+
+// One solution, whatever carries it: that of cells of half the size. PIC damps, and the edge pushes
+// for what that eats.
+TEST(ShearedBar, EveryTransferAndShapeGivesTheForceOfTheFinerGrid)
+{
+  const auto [impulse, stress] =
+      sheared(20, scene::ShapeFunction::quadratic_bspline, scene::Transfer::tpic);
+  EXPECT_NEAR(stress, 0.5, 0.05);
+  for (int shape = 0; shape <= static_cast<int>(scene::ShapeFunction::linear); ++shape)
+    for (int transfer = 0; transfer <= static_cast<int>(scene::Transfer::xpic2); ++transfer)
     {
-      scene::Scene scene = small::sheared_bar(10, 0.03);
-      scene.mpm->shape_function = shape, scene.mpm->transfer = transfer;
-      const solid::Owner bar = solid::make_solid(scene);
-      solid::advance(*bar, 0.03);
-      // Elastic still: G times the shear strain, less what bending gives away.
-      EXPECT_GT(solid::reaction(*bar, "top").impulse[0], 0.);
-      EXPECT_LE(mean(*bar, "von_mises"), 1.);
+      const auto [coarse_impulse, coarse_stress] = sheared(
+          10, static_cast<scene::ShapeFunction>(shape), static_cast<scene::Transfer>(transfer));
+      const bool damps = transfer == static_cast<int>(scene::Transfer::pic);
+      EXPECT_NEAR(coarse_impulse / impulse, 1., damps ? 0.4 : 0.05) << shape << ' ' << transfer;
+      EXPECT_NEAR(coarse_stress / stress, 1., damps ? 0.3 : 0.1) << shape << ' ' << transfer;
     }
 }
 
