@@ -62,13 +62,27 @@ namespace record
     file = std::make_unique<File>(File{std::move(part), std::move(numbers)});
   }
 
-  CheckpointFile::~CheckpointFile() = default;
+  CheckpointFile::~CheckpointFile()
+  {
+    if (!file)
+      return;
+    file.reset();
+    std::error_code none;
+    std::filesystem::remove(path + ".part", none); // it is no use and takes the room of what is
+  }
 
   void CheckpointFile::put(const std::string &name, const Array values)
   {
     const std::string dataset = "arrays/" + name;
-    hdf5::open_group(file->file, dataset.substr(0, dataset.rfind('/')), true);
-    std::visit([&](const auto &of_type) { hdf5::write(file->file, dataset, of_type); }, values);
+    try
+    {
+      hdf5::open_group(file->file, dataset.substr(0, dataset.rfind('/')), true);
+      std::visit([&](const auto &of_type) { hdf5::write(file->file, dataset, of_type); }, values);
+    }
+    catch (const std::runtime_error &error)
+    {
+      throw std::runtime_error(hdf5::cannot_write(path + ".part", error.what()));
+    }
   }
 
   void CheckpointFile::put(const std::string &name, const double number)
@@ -78,8 +92,9 @@ namespace record
 
   void CheckpointFile::finish()
   {
-    file->numbers.close("cannot write " + path + ".part");
-    file->file.close("cannot write " + path + ".part");
+    file->numbers.close("numbers");
+    hdf5::write_file(std::move(file->file), path + ".part", [](hid_t) {});
+    file.reset();
     std::filesystem::rename(path + ".part", path);
   }
 

@@ -3,9 +3,12 @@
 // Private to this room: no other room includes hdf5.h. The parallel (openmpi) flavour is taken
 // because deal.II links it and two flavours in one process do not mix; files are nevertheless
 // opened by one process with the serial driver. Handles live only while something is read or
-// written, so that between two flushes the file on disk is whole and may be looked at.
+// written, so that between two flushes the file on disk is whole and may be looked at. HDF5 keeps
+// back what is written until a dataset or the file is closed: what was written is closed by
+// close() and write_file(), which tell of a full disk, and not by a destructor, which cannot.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -23,15 +26,17 @@ namespace record::hdf5
     Handle(const Handle &) = delete;
     Handle &operator=(const Handle &) = delete;
     Handle &operator=(Handle &&) = delete;
-    ~Handle();
-    /// Close it now. Throws std::runtime_error if what was written through it did not get onto the
-    /// disk: HDF5 holds data back until then, and a destructor can only keep silent.
+    ~Handle(); // closes
+    /// Close now. Throws std::runtime_error("<doing>: <HDF5's own reason>") if something is lost.
     void close(const std::string &doing);
     operator hid_t() const { return id; }
 
   private:
     hid_t id;
   };
+
+  /// Throws std::runtime_error("<doing>: <HDF5's own reason>") if `status` is negative.
+  void check(herr_t status, const std::string &doing);
 
   enum class Mode
   {
@@ -41,6 +46,10 @@ namespace record::hdf5
   };
   /// Open a file. Throws std::runtime_error naming the path and HDF5's reason.
   Handle open_file(const std::string &path, Mode);
+  /// Let `write` write into the file opened from `path`, and close it. Throws std::runtime_error
+  /// naming the path if not all of it got there; the file on disk is then broken.
+  void write_file(Handle, const std::string &path, const std::function<void(hid_t file)> &write);
+  std::string cannot_write(const std::string &path, const std::string &why); // what it throws
 
   /// The group `path` under `parent`; made, with its parents, if `create` says so.
   Handle open_group(hid_t parent, const std::string &path, bool create = false);

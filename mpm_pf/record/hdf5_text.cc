@@ -9,12 +9,6 @@ namespace record::hdf5
 {
   namespace
   {
-    void check(const herr_t status, const std::string &doing)
-    {
-      if (status < 0)
-        throw std::runtime_error(doing + ": HDF5 refuses");
-    }
-
     Handle text_type()
     {
       Handle type(H5Tcopy(H5T_C_S1), "HDF5 text type");
@@ -88,7 +82,7 @@ namespace record::hdf5
       if (!texts.empty())
         check(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, pointers(texts).data()),
               "dataset " + name);
-      dataset.close("cannot write dataset " + name);
+      dataset.close("dataset " + name);
     }
   } // namespace
 

@@ -1,10 +1,12 @@
 #include "record/writer.h"
 
 #include <filesystem>
+#include <functional>
 #include <stdexcept>
 
 #include "record/pending.h"
 #include "record/xdmf.h"
+#include "scene/value.h"
 
 namespace record
 {
@@ -80,6 +82,7 @@ namespace record
     std::string path, part;
     Pending pending;
     bool finished = false;
+    bool broken = false; // a write has failed; HDF5 still holds the file and cannot open it again
 
     explicit File(const std::string &path) : path(path), part(path + ".part") {}
 
@@ -89,6 +92,17 @@ namespace record
       if (finished)
         throw std::logic_error(path + " is finished: nothing can be recorded in it any more");
       return pending;
+    }
+
+    void write(hdf5::Handle open, const std::function<void(hid_t file)> &work)
+    {
+      broken = true;
+      hdf5::write_file(std::move(open), part, work);
+      broken = false;
+    }
+    void write(const std::function<void(hid_t file)> &work)
+    {
+      write(hdf5::open_file(part, hdf5::Mode::modify), work);
     }
   };
 
@@ -106,9 +120,8 @@ namespace record
     if (failure)
       throw std::runtime_error("cannot make the folder " + folder.string() + ": " +
                                failure.message());
-    hdf5::Handle open = hdf5::open_file(file->part, hdf5::Mode::create);
-    write_head(open, provenance, scene);
-    open.close("cannot write " + file->part);
+    file->write(hdf5::open_file(file->part, hdf5::Mode::create),
+                [&](const hid_t open) { write_head(open, provenance, scene); });
   }
 
   Writer::Writer(const std::string &path, const Provenance &provenance, const scene::Scene &scene,
@@ -118,26 +131,30 @@ namespace record
     if (!std::filesystem::exists(file->part))
       throw std::runtime_error("no record " + file->part +
                                " to go on with: start without --resume");
-    const hdf5::Handle open = hdf5::open_file(file->part, hdf5::Mode::modify);
+    hdf5::Handle open = hdf5::open_file(file->part, hdf5::Mode::modify);
     if (hdf5::text_attribute(open, "format") != format)
       throw std::runtime_error(file->part + " is not a record of this program");
     if (hdf5::text_attribute(open, "scene_hash") != scene.hash)
       throw std::runtime_error(file->part + " was made from another scene than " + scene.file +
                                ": start without --resume");
-    file->pending.go_on(open, resume.time);
-    const hdf5::Handle group = hdf5::open_group(open, "provenance");
     const auto start = provenance.find("start");
-    hdf5::set_attribute(group, "resumed",
-                        hdf5::text_attribute(group, "resumed") +
-                            "at t = " + std::to_string(resume.time) + ", " +
-                            (start == provenance.end() ? std::string() : start->second) + "; ");
+    const std::string resumed = "at t = " + scene::number_text(resume.time) + ", " +
+                                (start == provenance.end() ? std::string() : start->second) + "; ";
+    file->write(std::move(open),
+                [&](const hid_t part)
+                {
+                  file->pending.go_on(part, resume.time);
+                  const hdf5::Handle group = hdf5::open_group(part, "provenance");
+                  hdf5::set_attribute(group, "resumed",
+                                      hdf5::text_attribute(group, "resumed") + resumed);
+                });
   }
 
   Writer::~Writer()
   {
     try
     {
-      if (!file->finished)
+      if (!file->finished && !file->broken)
         flush();
     }
     catch (...)
@@ -171,10 +188,12 @@ namespace record
   {
     check_snapshot(name, snapshot);
     Pending &pending = file->open_for(name);
-    hdf5::Handle open = hdf5::open_file(file->part, hdf5::Mode::modify);
-    pending.write(open);
-    pending.write_snapshot(open, name, time, snapshot);
-    open.close("cannot write " + file->part);
+    file->write(
+        [&](const hid_t open)
+        {
+          pending.write(open);
+          pending.write_snapshot(open, name, time, snapshot);
+        });
   }
 
   void Writer::attribute(const std::string &name, const std::string &value)
@@ -188,23 +207,22 @@ namespace record
 
   void Writer::flush()
   {
-    hdf5::Handle open = hdf5::open_file(file->part, hdf5::Mode::modify);
-    file->pending.write(open);
-    open.close("cannot write " + file->part);
+    file->write([&](const hid_t open) { file->pending.write(open); });
   }
 
   void Writer::finish(const Profile &profile, const std::string &status)
   {
     file->finished = true;
     const std::string xdmf = std::filesystem::path(file->path).replace_extension(".xdmf").string();
-    {
-      hdf5::Handle open = hdf5::open_file(file->part, hdf5::Mode::modify);
-      file->pending.write(open);
-      write_profile(open, profile);
-      hdf5::set_attribute(open, "status", status);
-      write_xdmf(open, std::filesystem::path(file->path).filename().string(), xdmf + ".part");
-      open.close("cannot write " + file->part);
-    }
+    const std::string name = std::filesystem::path(file->path).filename().string();
+    file->write(
+        [&](const hid_t open)
+        {
+          file->pending.write(open);
+          write_profile(open, profile);
+          hdf5::set_attribute(open, "status", status);
+          write_xdmf(open, name, xdmf + ".part");
+        });
     std::filesystem::rename(file->part, file->path);
     std::filesystem::rename(xdmf + ".part", xdmf);
   }

@@ -112,7 +112,8 @@ namespace record
     void attribute(const std::string &name, double value);
 
     /// After this the rows so far survive a kill. Called by itself when much is waiting, and with
-    /// every snapshot. Throws std::runtime_error (disk full and the like).
+    /// every snapshot. Throws std::runtime_error naming the file (disk full and the like), and so
+    /// do finish() and all that record; <path>.part is broken then and gets no more.
     void flush();
     /// Writes profile and status, the XDMF file beside it, and renames to the final name. Nothing
     /// may be recorded after it.
