@@ -74,8 +74,10 @@ std::vector<ReactionRow> ReactionWindow::see(const double time, const scene::Poi
       const auto neighbour = mean(k == 0 ? 1 : k - 1);
       if (!neighbour)
         break; // the first row waits for the second
-      row.force += (neighbour->force - own->force) * (times[k] - own->centre) /
-                   (neighbour->centre - own->centre);
+      // An early end within half a window of the first sample: both have the same window.
+      const double apart = neighbour->centre - own->centre;
+      if (std::abs(apart) > tolerance)
+        row.force += (neighbour->force - own->force) * (times[k] - own->centre) / apart;
     }
     rows.push_back(row);
     ++returned;

@@ -62,6 +62,24 @@ TEST(ReactionWindow, ReachesToWhereTheRunEndsEarly)
   }
 }
 
+// Between a quarter of half a window and half a window after the start both rows have one window.
+TEST(ReactionWindow, GivesTheMeanWhereARunEndsInItsFirstWindow)
+{
+  for (const double stop : {0.02, 0.05, 0.1, 0.125})
+  {
+    ReactionWindow window({0., 0.25, 0.5, 0.75, 1.}, 0.125, 1.);
+    auto rows = rows_of(window, {0.}, [](double) { return 0.; });
+    window.close(stop);
+    const double impulse = 3. * stop + 2. * stop * stop;
+    for (const auto &row : window.see(stop, Point(impulse, 0.), Point(0., 2. * stop)))
+      rows.push_back(row);
+    ASSERT_FALSE(rows.empty()) << stop;
+    EXPECT_EQ(rows.back().time, stop);
+    for (const auto &row : rows)
+      EXPECT_NEAR(row.force[0], 3. + 2. * stop, 1e-12) << stop << " at " << row.time;
+  }
+}
+
 TEST(ReactionWindow, AveragesRingingAway)
 {
   const double ring = 2. * std::acos(-1.) / 0.25; // one period in the window
