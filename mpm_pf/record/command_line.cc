@@ -5,6 +5,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "record/provenance.h"
+
 namespace record
 {
   std::string shell_quoted(const std::vector<std::string> &arguments)
@@ -30,6 +32,26 @@ namespace record
     return line;
   }
 
+  namespace
+  {
+    void add_name_and_version(CLI::App &app, CommandLine &command, const std::string &program)
+    {
+      app.add_option("--record", command.record, "name of the record (default: " + program + ")")
+          ->check(CLI::Validator(
+              [](const std::string &name) -> std::string
+              {
+                const bool right = !name.empty() && name.find('/') == std::string::npos;
+                return right ? ""
+                             : "a name without '/', not \"" + name + "\"; folders go to --output";
+              },
+              "NAME"));
+      const Provenance made = collect(program, "", 1);
+      app.set_version_flag("--version", program + " " + made.at("version") + ", commit " +
+                                            made.at("commit") +
+                                            (made.at("dirty") == "yes" ? " with changes" : ""));
+    }
+  } // namespace
+
   Parsed parse_command_line(const int argc, const char *const *argv, const std::string &program,
                             const std::string &description)
   {
@@ -39,10 +61,11 @@ namespace record
     std::string explain;
     app.add_option("scene", command.scene, "scene file (TOML)");
     app.add_option("--set", command.overrides, "override a key: section.key=value")
-        ->allow_extra_args(false);
+        ->allow_extra_args(false)
+        ->option_text("KEY=VALUE (again for more)");
     app.add_option("--output", command.output,
                    "directory of the record (default: results/<scene>)");
-    app.add_option("--record", command.record, "name of the record (default: " + program + ")");
+    add_name_and_version(app, command, program);
     app.add_option("--threads", command.threads, "threads (default: 1)")
         ->check(CLI::Range(1, 1024));
     app.add_flag("--plan", command.plan, "say what would be done, at what cost, and stop");
@@ -58,6 +81,11 @@ namespace record
     catch (const CLI::CallForHelp &)
     {
       parsed.text = app.help();
+      return parsed;
+    }
+    catch (const CLI::CallForVersion &version)
+    {
+      parsed.text = std::string(version.what()) + "\n";
       return parsed;
     }
     catch (const CLI::ParseError &error)
