@@ -75,7 +75,7 @@ double Forecast::cpu_s() const
   return sum(seconds);
 }
 
-Forecast foretell(const scene::Scene &scene, const int threads)
+Forecast foretell(const scene::Scene &scene, const int threads, const bool force)
 {
   omp_set_num_threads(threads);
   Forecast forecast;
@@ -85,7 +85,7 @@ Forecast foretell(const scene::Scene &scene, const int threads)
                                            static_cast<std::size_t>(scene.domain.cells[1]))
                            : 0.;
   const double begin = record::cpu_seconds();
-  World world = build_world(scene, threads);
+  World world = build_world(scene, threads, force);
   forecast.seconds["set-up"] = record::cpu_seconds() - begin;
   if (world.mesh)
     forecast.counts["nodes"] = static_cast<double>(world.mesh->node_count());

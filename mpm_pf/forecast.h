@@ -24,7 +24,7 @@ struct Forecast
 };
 
 /// Builds the world and moves it a little; writes nothing. Throws scene::BadScene.
-Forecast foretell(const scene::Scene &, int threads);
+Forecast foretell(const scene::Scene &, int threads, bool force = false);
 
 /// The forecast for people, and one line that programs read:
 /// `forecast cpu_s=... solver_bytes=... resident_bytes=...`.

@@ -31,7 +31,7 @@ namespace
     record::resolve_outlines(scene);
     if (command.plan)
     {
-      std::cout << plan(scene, command.threads);
+      std::cout << plan(scene, command.threads, command.force);
       return record::all_right;
     }
     std::signal(SIGINT, ask_to_stop);

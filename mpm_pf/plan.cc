@@ -82,11 +82,11 @@ std::string size(const World &world)
   return out.str();
 }
 
-std::string plan(const scene::Scene &scene, const int threads)
+std::string plan(const scene::Scene &scene, const int threads, const bool force)
 {
   std::ostringstream out;
   out << banner(scene) << "  domain: " << scene.domain.cells[0] << " x " << scene.domain.cells[1]
       << " cells\n"
-      << describe(foretell(scene, threads));
+      << describe(foretell(scene, threads, force));
   return out.str();
 }

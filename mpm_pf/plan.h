@@ -16,4 +16,4 @@ std::string size(const World &);
 
 /// The banner and the forecast (forecast.h): cells, points, steps, memory and time by module.
 /// Writes nothing. Throws scene::BadScene.
-std::string plan(const scene::Scene &, int threads);
+std::string plan(const scene::Scene &, int threads, bool force);
