@@ -9,6 +9,7 @@
 
 #include "medium/contour_pieces.h"
 #include "medium/contour_tiles.h"
+#include "scene/value.h"
 
 namespace medium
 {
@@ -232,7 +233,7 @@ namespace medium
         offset(mesh), tiles(mesh), close(mesh)
   {
     if (!(band_cells >= 3.))
-      throw std::invalid_argument("the band of the distance is " + std::to_string(band_cells) +
+      throw std::invalid_argument("the band of the distance is " + scene::number_text(band_cells) +
                                   " cells wide; it must be at least 3, because cells cut by the "
                                   "contour and their neighbours need a distance");
   }

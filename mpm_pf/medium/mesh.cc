@@ -7,6 +7,7 @@ namespace medium
 {
   Mesh make_mesh(const scene::Domain &domain)
   {
+    static_assert(scene::fewest_cells >= ghost_layers, "what scenes may ask for has room");
     Mesh mesh;
     mesh.nodes = {domain.cells[0] + 1, domain.cells[1] + 1};
     mesh.lower = domain.lower;

@@ -98,7 +98,7 @@ namespace medium
           mesh.lower[axis] + (wall.inward() > 0 ? 0. : (mesh.nodes[axis] - 1) * mesh.spacing[axis]);
       wall.position = wall.origin;
       travel[axis] += one.travel;
-      if (travel[axis] > (mesh.nodes[axis] - 6) * mesh.spacing[axis])
+      if (travel[axis] > (mesh.nodes[axis] - 1 - scene::cells_between_walls) * mesh.spacing[axis])
         throw std::invalid_argument(where(one) +
                                     "wall.travel: the walls would meet; leave at least "
                                     "five cells between them");
@@ -119,7 +119,9 @@ namespace medium
     // An edge along a line of nodes leaves phi = 0 there but for rounding: no front stands on it.
     constexpr double least = 1e-6;
     const int first = cuts.first(1 - axis), end = cuts.end(1 - axis, mesh.nodes[1 - axis]);
-    const int deepest = std::min(count - 4, static_cast<int>(std::ceil(reach / h)) + 1);
+    const int behind = inward > 0 ? cuts.end(axis, count) - 1 : cuts.first(axis);
+    const int deepest =
+        static_cast<int>(std::min<double>(inward * (behind - last), std::ceil(reach / h) + 1.));
     for (int k = 0; k <= deepest; ++k)
     {
       double nearest = std::numeric_limits<double>::infinity();

@@ -30,6 +30,10 @@ namespace scene
   };
   using VectorExpression = std::array<Expression, 2>;
 
+  /// Room for the widest stencil: cells that a mesh has each way at least, and that are left
+  /// between walls.
+  inline constexpr int fewest_cells = 3, cells_between_walls = 5;
+
   /// Unit system of all numbers in the file; it changes only how units are printed.
   enum class Units
   {

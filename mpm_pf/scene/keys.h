@@ -44,6 +44,10 @@ namespace scene
   {
     return {d, {0., std::numeric_limits<double>::infinity(), true, true}};
   }
+  inline Allowed at_least(const double lower, const Dimension d = Dimension::none)
+  {
+    return {d, {lower, std::numeric_limits<double>::infinity(), true, true}};
+  }
   inline Allowed between(const double lower, const double upper,
                          const Dimension d = Dimension::none)
   {

@@ -61,9 +61,9 @@ namespace scene
       return Keys<Extension>("extension", "How the solid's velocity is carried into the melt.")
           .add("method", &Extension::method, any(), "Closest point, or a PDE in pseudo-time.",
                "the same order, cheaper, without a count of iterations to choose")
-          .add("band", &Extension::band, positive(),
+          .add("band", &Extension::band, at_least(3.),
                "Width of the band along the front in cells. Melt beyond it moves as the piece of "
-               "front nearest to it.",
+               "front nearest to it. Cells cut by the front and their neighbours need a distance.",
                "wider than the diffuse interface")
           .optional();
     }

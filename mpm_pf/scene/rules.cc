@@ -16,6 +16,7 @@ namespace scene
           // Domain
           {"Periodic sides come in opposite pairs.", periodic_sides_are_paired},
           {"Cells are square where a solid moves or a crystal grows.", cells_are_square},
+          {"Fields and walls have a mesh of three cells each way at least.", mesh_holds_stencils},
           {"A body lies inside the domain; it may reach over symmetry sides only.",
            bodies_lie_in_the_domain},
           {"A coupling step needs a phase field or heat.", coupling_step_is_used},
@@ -41,9 +42,11 @@ namespace scene
           {"A traction acts on the outline: an edge, a segment, or what of it starts in a region.",
            tractions_act_on_outlines},
           // Walls
-          {"A wall moves if it has both a speed and a travel, and does not cross the domain.",
+          {"A wall moves if it has both a speed and a travel, and leaves five cells before the "
+           "next.",
            walls_have_room},
-          {"Each side has one wall at most, and none if it is periodic.", walls_stand_on_own_sides},
+          {"Each side has one wall at most, and none if it is periodic or fixed.",
+           walls_stand_on_own_sides},
           {"A wall that starts by distance needs a phase field.", walls_know_when_to_start},
           // Solvers
           {"flip_fraction belongs to transfer = \"flip\", stress_update = \"first\" to flip and "
@@ -58,7 +61,7 @@ namespace scene
     {
       return {
           // Melt
-          {"The anisotropy is at most 1/15.", anisotropy_is_well_posed},
+          {"The anisotropy is less than 1/15.", anisotropy_is_well_posed},
           {"d0, tau0, W0, D and the kinetic coefficient satisfy the thin-interface relations to 1 "
            "%.",
            kinetics_are_consistent},

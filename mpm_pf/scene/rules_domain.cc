@@ -114,6 +114,20 @@ namespace scene
                     number_text(fine) + "; adjust size if they do not divide it");
   }
 
+  void mesh_holds_stencils(const Inspection &in)
+  {
+    if (!in.present("domain") || in.complaints.about(in.at("domain")) ||
+        !(in.present("phase_field") || in.present("heat") || in.present("wall")))
+      return;
+    const auto &cells = in.scene().domain.cells;
+    if (std::min(cells[0], cells[1]) < fewest_cells)
+      in.complain(in.at("domain", "cells"),
+                  "read [" + std::to_string(cells[0]) + ", " + std::to_string(cells[1]) +
+                      "]: the widest stencil of the fields and walls reaches over more",
+                  "at least " + std::to_string(fewest_cells) + " cells each way",
+                  "refine the mesh");
+  }
+
   void bodies_lie_in_the_domain(const Inspection &in)
   {
     if (!in.geometry_known)

@@ -11,6 +11,7 @@ namespace scene
   void imposed_or_solid(const Inspection &);
   void periodic_sides_are_paired(const Inspection &);
   void cells_are_square(const Inspection &);
+  void mesh_holds_stencils(const Inspection &);
   void bodies_lie_in_the_domain(const Inspection &);
   void coupling_step_is_used(const Inspection &);
   void names_are_unique(const Inspection &);

@@ -5,14 +5,13 @@
 #include "scene/expression.h"
 #include "scene/geometry.h"
 #include "scene/rules_list.h"
+#include "scene/thin_interface.h"
 
 namespace scene
 {
   namespace
   {
-    // Thin-interface constants of the quartic double well in the plane (Karma and Rappel 1998).
-    constexpr double a1 = 0.8839, a2 = 0.6267;
-    constexpr double tolerance = 0.01;
+    constexpr double tolerance = 0.01; // of the kinetic coefficient, in its first term
 
     bool sound(const Inspection &in, const char *section)
     {
@@ -40,13 +39,22 @@ namespace scene
                                       "it starts"
                                     : "the wall has a travel but no speed",
                     "speed and travel together", "give both, or neither for a wall at rest");
-      double &sum = travel[static_cast<std::size_t>(axis_of(wall.side))];
+      const auto axis = static_cast<std::size_t>(axis_of(wall.side));
+      double &sum = travel[axis];
       sum += wall.travel;
-      if (sound(in, "domain") && sum >= in.scene().domain.size[axis_of(wall.side)])
-        in.complain(at, "the walls travel " + number_text(sum) + ", across the whole domain",
-                    "less than " + number_text(in.scene().domain.size[axis_of(wall.side)]) +
-                        " in all",
-                    "shorten travel");
+      if (!sound(in, "domain"))
+        continue;
+      const Domain &domain = in.scene().domain;
+      const double room =
+          (domain.cells[axis] - cells_between_walls) * domain.spacing()[axis_of(wall.side)];
+      const bool across = sum >= domain.size[axis_of(wall.side)];
+      if (across || sum > room)
+        in.complain(at,
+                    "the walls travel " + number_text(sum) +
+                        (across ? ", across the whole domain"
+                                : ", which leaves fewer than five cells between them"),
+                    "at most " + number_text(std::max(0., room)) + " in all",
+                    "shorten travel, or refine [domain] cells");
     }
   }
 
@@ -61,6 +69,11 @@ namespace scene
       if (in.scene().domain.boundary[static_cast<std::size_t>(walls[i].side)] == Boundary::periodic)
         in.complain(at, "a wall on the periodic side \"" + word(walls[i].side) + "\"",
                     "walls on sides that bound the domain", "make the sides no_flux");
+      if (in.scene().domain.boundary[static_cast<std::size_t>(walls[i].side)] == Boundary::fixed)
+        in.complain(at,
+                    "a wall on the fixed side \"" + word(walls[i].side) +
+                        "\": fields end at the wall, without flux",
+                    "walls on no_flux or symmetry sides", "make the side no_flux");
       for (std::size_t j = 0; j < i; ++j)
         if (walls[j].side == walls[i].side)
           in.complain(at, "a second wall on the side \"" + word(walls[i].side) + "\"",
@@ -90,12 +103,12 @@ namespace scene
   void anisotropy_is_well_posed(const Inspection &in)
   {
     if (in.written("growth", "anisotropy") && in.scene().growth &&
-        in.scene().growth->anisotropy > 1. / 15.)
+        in.scene().growth->anisotropy >= ill_posed_anisotropy)
       in.complain(in.at("growth", "anisotropy"),
                   "read " + number_text(in.scene().growth->anisotropy) +
-                      ": beyond 1/15 the interface stiffness 1 - 15 eps cos(4 angle) turns "
-                      "negative, orientations go missing and Eq. (1) is ill-posed",
-                  "at most 1/15 = 0.0667", "lower the anisotropy");
+                      ": from 1/15 on the interface stiffness 1 - 15 eps cos(4 angle) is not "
+                      "positive, orientations go missing and Eq. (1) is ill-posed",
+                  "less than 1/15 = 0.0667", "lower the anisotropy");
   }
 
   void kinetics_are_consistent(const Inspection &in)
@@ -105,8 +118,8 @@ namespace scene
     const Growth &growth = *in.scene().growth;
     const double W0 = in.scene().phase_field->width, D = in.scene().heat->diffusivity;
     const double d0 = growth.capillary_length, tau0 = growth.relaxation_time;
-    const double lambda = a1 * W0 / d0;
-    const double beta = a1 * (tau0 / (lambda * W0) - a2 * W0 / D);
+    const double lambda = coupling_constant(d0, W0);
+    const double beta = kinetic_coefficient({lambda, W0, tau0, D});
     const double wanted = growth.kinetic_coefficient.value_or(0.);
     if (std::abs(beta - wanted) <= tolerance * a1 * tau0 / (lambda * W0))
       return;

@@ -5,6 +5,7 @@
 #include "scene/geometry.h"
 #include "scene/quantities.h"
 #include "scene/rules_list.h"
+#include "scene/schedule.h"
 
 namespace scene
 {
@@ -194,7 +195,7 @@ namespace scene
   void times_lie_in_the_run(const Inspection &in)
   {
     const bool clock = in.present("clock") && !in.complaints.about(in.at("clock"));
-    const double end = in.scene().clock.end * (1. + 1e-9);
+    const double end = in.scene().clock.end * (1. + rounding_of_times);
     for (std::size_t i = 0; i < in.scene().probes.size(); ++i)
     {
       const Probe &probe = in.scene().probes[i];

@@ -28,8 +28,11 @@ namespace scene
       return {};
     std::vector<double> times;
     if (!probe.times.empty())
-      std::copy_if(probe.times.begin(), probe.times.end(), std::back_inserter(times),
-                   [end](const double t) { return t >= 0. && t <= end * (1. + 1e-12); });
+    {
+      for (const double t : probe.times)
+        if (t >= 0. && t <= end * (1. + rounding_of_times) && (times.empty() || times.back() < end))
+          times.push_back(std::min(t, end));
+    }
     else if (!probe.every && !is_history(probe))
       times = {end};
     else

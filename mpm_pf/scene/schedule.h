@@ -8,6 +8,10 @@
 
 namespace scene
 {
+  /// Scenes are written with rounded numbers: what is past the end by no more than this fraction of
+  /// it is meant to be the end.
+  inline constexpr double rounding_of_times = 1e-9;
+
   /// Sorted times of `probe` in [0, end]: its explicit times; or 0, every, 2 every, ... and the
   /// end; with neither, the end alone for lines, outlines and snapshots, and 201 equal samples for
   /// whatever is a history. Empty for a probe that looks at compressions instead.

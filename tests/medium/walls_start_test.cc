@@ -46,6 +46,31 @@ namespace medium
     EXPECT_NEAR(wall.travel_at_touch, 7., 0.4);
   }
 
+  // A crystal may melt away after its wall has moved: the look for it ends with the mesh.
+  TEST(Walls, LookForTheFrontNoFurtherThanTheMeshReaches)
+  {
+    const Mesh mesh = tall_mesh(8, 60); // 24 high
+    scene::Wall asked;
+    asked.side = Edge::top, asked.speed = 1., asked.travel = 8., asked.start_time = 0.;
+    Walls walls = make_walls({asked}, mesh);
+    Field<double> phi(mesh, -1.);
+    for (int step = 0; step < 300; ++step)
+    {
+      watch(walls, phi, mesh, 0.03 * step);
+      move(walls, 0.03 * step, 0.03, mesh);
+      settle(walls, mesh, {});
+    }
+    for (int j = -ghost_layers; j < 0; ++j) // where nothing is to be read
+      for (int i = 0; i < mesh.nodes[0]; ++i)
+        phi(i, j) = 1.;
+    EXPECT_FALSE(gap_to_front(walls.walls[0], walls.cuts, phi, mesh, 100.));
+    for (int i = 0; i < mesh.nodes[0]; ++i)
+      phi(i, 0) = 1.; // the last line that is there: a front between it and the one before
+    const auto gap = gap_to_front(walls.walls[0], walls.cuts, phi, mesh, 100.);
+    ASSERT_TRUE(gap);
+    EXPECT_NEAR(*gap, 16. - 0.2, 0.4);
+  }
+
   TEST(Walls, StartAtADistanceBelowACell)
   {
     const Mesh mesh = tall_mesh(8, 100);

@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include "melt/anisotropy.h"
-#include "scene/reader.h"
 
 namespace
 {
@@ -31,44 +30,6 @@ TEST(ThinInterface, CouplesByThePapersNumbers)
   const melt::Law law = melt::make_law(s.phase, s.growth, &s.heat);
   EXPECT_NEAR(law.coupling, 4.778, 5e-4);            // a1/0.185
   EXPECT_NEAR(melt::a2 * law.coupling, 2.994, 1e-3); // D tau0/W0^2 = 3 within 0.2 %
-}
-
-TEST(ThinInterface, RefusesAnInconsistentRelaxationTimeNamingTheRightOne)
-{
-  Sections s;
-  s.heat.diffusivity = 4.; // needs tau0 = a2 lambda/4 = 0.7486
-  try
-  {
-    melt::make_law(s.phase, s.growth, &s.heat);
-    FAIL();
-  }
-  catch (const scene::BadScene &error)
-  {
-    EXPECT_NE(std::string(error.what()).find("0.748"), std::string::npos) << error.what();
-  }
-  s.growth.relaxation_time = 0.7486;
-  EXPECT_NO_THROW(melt::make_law(s.phase, s.growth, &s.heat));
-}
-
-TEST(ThinInterface, AcceptsAStatedKineticCoefficient)
-{
-  Sections s;
-  s.growth.relaxation_time = 2.;
-  EXPECT_THROW(melt::make_law(s.phase, s.growth, &s.heat), scene::BadScene);
-  // beta = a1 (tau0/(lambda W0) - a2 W0/D)
-  s.growth.kinetic_coefficient = melt::a1 * (2. * 0.185 / melt::a1 - melt::a2 / 3.);
-  EXPECT_NO_THROW(melt::make_law(s.phase, s.growth, &s.heat));
-}
-
-TEST(ThinInterface, RefusesIllPosedAnisotropy)
-{
-  Sections s;
-  s.growth.anisotropy = 1. / 15.;
-  EXPECT_THROW(melt::make_law(s.phase, s.growth, &s.heat), scene::BadScene);
-  s.growth.anisotropy = -0.01;
-  EXPECT_THROW(melt::make_law(s.phase, s.growth, &s.heat), scene::BadScene);
-  s.growth.anisotropy = 0.0666;
-  EXPECT_NO_THROW(melt::make_law(s.phase, s.growth, &s.heat));
 }
 
 // xi = 1 + eps cos 4(angle - crystal), flux (xi^2 - 1 + isotropic) n - xi xi' t, against the

@@ -10,6 +10,21 @@ namespace
 
   const std::vector<Broken> melt{
       {"anisotropy_past_a_fifteenth", with(seed, "0.05", "0.07"), "anisotropy", "1/15"},
+      {"anisotropy_of_a_fifteenth", with(seed, "0.05", "0.06666666666666667"), "anisotropy",
+       "less than 1/15"},
+      {"mesh_of_two_cells", with(with(seed, "[40.0, 40.0]", "[2.0, 2.0]"), "[100, 100]", "[2, 2]"),
+       "cells", "at least 3 cells"},
+      {"band_without_room",
+       plus(seed, "[solid]\nyoung_modulus = 1\npoisson_ratio = 0\ndensity = 1\n"
+                  "[extension]\nband = 2\n"),
+       "band", "at least 3"},
+      {"wall_on_a_fixed_side",
+       plus(with(seed, "boundary = \"symmetry\"",
+                 "boundary = {left = \"symmetry\", bottom = \"symmetry\", top = \"fixed\"}"),
+            wall + "speed = 1\ntravel = 1\n"),
+       "[[wall]]", "fixed side"},
+      {"walls_that_meet", plus(seed, wall + "speed = 1\ntravel = 39\n"), "[[wall]]",
+       "fewer than five cells"},
       {"kinetics_that_do_not_vanish", with(seed, "diffusivity = 3.0", "diffusivity = 4.0"),
        "[growth]", "relaxation_time = 0.748"},
       {"kinetics_that_disagree",
