@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "scene/geometry.h"
+#include "scene/quasi_static.h"
 
 namespace
 {
@@ -86,9 +87,7 @@ std::string warning_on_scaling(const World &world)
   const scene::Scene &scene = *world.scene;
   if (!world.solid || !scene.mpm || !scene.mpm->mach || scene.growth)
     return {};
-  const auto thrown = [](const scene::Body &body)
-  { return body.velocity[0].text != "0" || body.velocity[1].text != "0"; };
-  if (std::any_of(scene.bodies.begin(), scene.bodies.end(), thrown))
+  if (std::any_of(scene.bodies.begin(), scene.bodies.end(), scene::is_thrown))
     return "not quasi-static: mpm.mach scales the density of bodies that start with a velocity, "
            "and with it their momentum; leave mach out";
   const scene::Box box = scene::bounding_box(scene.bodies);

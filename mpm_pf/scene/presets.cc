@@ -14,6 +14,8 @@ namespace scene
 {
   namespace
   {
+    constexpr double most_cells = 100000., most_elements = 10000.; // as the keys allow
+
     Value number(const double x)
     {
       Value value;
@@ -163,7 +165,7 @@ namespace scene
       const Point side = box.upper - box.lower;
       const double size = sides_of(s.bodies).thinnest / level.elements_across_thinnest;
       const auto along = [&](const int axis)
-      { return std::max(1, static_cast<int>(std::lround(side[axis] / size))); };
+      { return static_cast<int>(std::clamp(std::round(side[axis] / size), 1., most_elements)); };
       choices.push_back({"fe", "cells", pair(along(0), along(1)), as_text(fe.cells)});
       choices.push_back({"fe", "degree", whole(level.degree), std::to_string(fe.degree)});
       choices.push_back(
@@ -217,6 +219,8 @@ namespace scene
 
   std::array<int, 2> square_cells(const Point &size, const double spacing)
   {
+    if (size.maxCoeff() > most_cells * spacing)
+      return {0, 0};
     const int first = static_cast<int>(std::ceil(size[1] / spacing * (1. - 1e-9)));
     for (int ny = std::max(1, first); ny <= std::max(2, 3 * first / 2); ++ny)
     {
@@ -240,8 +244,17 @@ namespace scene
     Draft trial{{}, root, {}, {}, {}, {}, {}, {}};
     build(trial, silent);
     const Value *domain = root.find("domain");
-    if (domain && !domain->find("cells") &&
-        cells_of_domain(trial.scene, level_of(*accuracy))[0] == 0)
+    const Point size = trial.scene.domain.size;
+    const double spacing = wanted_spacing(trial.scene, level_of(*accuracy));
+    if (domain && !domain->find("cells") && spacing > 0. && size.maxCoeff() > most_cells * spacing)
+      complaints.add(at,
+                     "the interface or the bodies are so thin that cells of " +
+                         number_text(spacing) + " are wanted in a domain of " +
+                         number_text(size[0]) + " x " + number_text(size[1]),
+                     number_text(most_cells) + " cells each way",
+                     "check phase_field.width and the bodies' sizes, or give [domain] cells");
+    else if (domain && !domain->find("cells") &&
+             cells_of_domain(trial.scene, level_of(*accuracy))[0] == 0)
       complaints.add(at,
                      "nothing in this scene says how fine its mesh should be, or no square cells "
                      "of that size divide the domain's width and height",

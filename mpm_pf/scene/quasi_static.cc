@@ -17,7 +17,7 @@ namespace scene
     {
       return std::any_of(support.displacement.begin(), support.displacement.end(),
                          [](const auto &component)
-                         { return component && component->text.find('t') != std::string::npos; });
+                         { return component && Function(*component).depends_on_time(); });
     }
 
     // Largest speed of supports and walls, and how far they go.
@@ -62,15 +62,19 @@ namespace scene
     }
   } // namespace
 
+  bool is_thrown(const Body &body)
+  {
+    return std::any_of(body.velocity.begin(), body.velocity.end(),
+                       [](const Expression &component)
+                       {
+                         const Function v(component);
+                         return !v.is_constant() || v({}) != 0.;
+                       });
+  }
+
   std::optional<double> scaled_mach(const Scene &s, const double wanted)
   {
-    const bool driven =
-        !s.walls.empty() || std::any_of(s.supports.begin(), s.supports.end(), moves);
-    const bool thrown =
-        std::any_of(s.bodies.begin(), s.bodies.end(),
-                    [](const Body &body)
-                    { return body.velocity[0].text != "0" || body.velocity[1].text != "0"; });
-    if (!driven || thrown || !s.solid || !s.tractions.empty() || s.body_force)
+    if (!s.solid || !s.tractions.empty() || s.body_force)
       return {};
     const double c = wave_speed(*s.solid);
     const Box box =
@@ -78,9 +82,13 @@ namespace scene
     const double length = (box.upper - box.lower).maxCoeff();
     try
     {
+      const bool driven =
+          !s.walls.empty() || std::any_of(s.supports.begin(), s.supports.end(), moves);
+      if (!driven || std::any_of(s.bodies.begin(), s.bodies.end(), is_thrown))
+        return {};
       const Drive drive = drive_of(s, box);
       const double mach = std::min(wanted, drive.stroke / (crossings * length));
-      if (s.clock.end * c < crossings * length || drive.speed >= mach * c)
+      if (!(mach > 0.) || s.clock.end * c < crossings * length || drive.speed >= mach * c)
         return {};
       return mach;
     }

@@ -7,6 +7,9 @@
 
 namespace scene
 {
+  /// Does the body start with a velocity? Throws BadExpression.
+  bool is_thrown(const Body &);
+
   /// The Mach number to scale to, at most `wanted`, or none where the density stays. It stays if
   /// the solid is driven by anything whose time scale is the true density's (traction, body force,
   /// a throw), or so fast or briefly that waves tell: a wave running down a bar is driven by a

@@ -62,6 +62,26 @@ TEST(Preset, NeverScalesTheDensityOfWhatIsThrown)
   const std::string thrown = with(bar_without_knobs, "size = [1.0, 2.0]\n",
                                   "size = [1.0, 2.0]\nvelocity = [\"1\", \"0\"]\n");
   EXPECT_FALSE(read(thrown, "draft").mpm->mach);
+  EXPECT_TRUE(read(with(thrown, "\"1\", \"0\"", "\"0.0\", \"0\""), "draft").mpm->mach) << "at rest";
+}
+
+// The letter t is in sqrt, too.
+TEST(Preset, KnowsWhatIsDrivenFromWhatStandsStill)
+{
+  const std::string still =
+      with(with(bar_without_knobs, "\"0.4*t\"", "\"0*sqrt(X)\""), "\"-0.4*t\"", "\"0*t\"");
+  const auto mpm = read(still, "draft").mpm;
+  EXPECT_FALSE(mpm && mpm->mach);
+}
+
+TEST(Preset, BlamesAnInterfaceThatIsFarTooThin)
+{
+  const Folder folder;
+  const std::string thin = with(seed_without_cells, "width = 1.0", "width = 1e-12");
+  const std::string said = complaints(folder.write("a.toml", "accuracy = \"draft\"\n" + thin));
+  EXPECT_NE(said.find("a.toml:1"), std::string::npos) << said;
+  EXPECT_NE(said.find("cells of 8e-13 are wanted"), std::string::npos) << said;
+  EXPECT_NE(said.find("phase_field.width"), std::string::npos) << said;
 }
 
 // The support moves as before, but the run ends before a wave has crossed the bar: inertia is what

@@ -31,4 +31,6 @@ TEST(Scaling, IsDoubtedWhereWavesCrossTheBodyAFewTimesOnly)
   EXPECT_NE(
       said("mach = 1e-3\nreference_speed = 3e-4\n", "velocity = [1e-3, 0]\n").find("momentum"),
       std::string::npos);
+  EXPECT_EQ(said("mach = 1e-3\nreference_speed = 3e-4\n", "velocity = [\"0.0\", \"-0\"]\n"), "")
+      << "at rest, however it is written";
 }
