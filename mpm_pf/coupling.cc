@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "medium/sums.h"
+#include "scene/value.h"
 #include "solid/growing.h"
 #include "solid/moving_walls.h"
 #include "stopwatch.h"
@@ -101,10 +102,18 @@ namespace
   {
     const long steps = std::max(1L, std::lround(std::ceil(dt / growth_step(w) * (1. - 1e-9))));
     // Without [growth] phi is a marker that is only carried, and the sweep is of heat alone.
-    w.growth->advance({w.scene->growth ? &w.phase->value : nullptr,
-                       w.heat ? &w.heat->value : nullptr, w.orientation.get(), w.noise.get(),
-                       w.walls ? &w.walls->cuts : nullptr},
-                      dt / static_cast<double>(steps), steps);
+    try
+    {
+      w.growth->advance({w.scene->growth ? &w.phase->value : nullptr,
+                         w.heat ? &w.heat->value : nullptr, w.orientation.get(), w.noise.get(),
+                         w.walls ? &w.walls->cuts : nullptr},
+                        dt / static_cast<double>(steps), steps);
+    }
+    catch (const medium::NumericalTrouble &trouble) // which knows its steps, not the time
+    {
+      throw medium::NumericalTrouble("from time " + scene::number_text(w.time) + " on, " +
+                                     trouble.what());
+    }
   }
 } // namespace
 

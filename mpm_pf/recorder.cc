@@ -8,6 +8,7 @@
 #include "observe.h"
 #include "scene/schedule.h"
 #include "scene/units.h"
+#include "solid/moving_walls.h"
 
 Recorder::Recorder(const scene::Scene &scene, record::Writer &out)
     : writer(out), tolerance(1e-9 * scene.clock.end)
@@ -175,7 +176,11 @@ void Recorder::observe_tip(const scene::TipProbe &probe, const scene::Probe &nam
 
 void Recorder::observe_reaction(ReactionWatch &watch, const World &world)
 {
-  const auto reaction = solid::reaction(*world.solid, watch.support);
+  auto reaction = solid::reaction(*world.solid, watch.support);
+  if (world.walls) // which move before the material knows of them
+    for (const medium::Wall &wall : world.walls->walls)
+      if (solid::wall_name(wall.side) == watch.support)
+        reaction.displacement[wall.axis()] = wall.position - wall.origin;
   const auto unit = [&](const scene::Dimension dimension)
   { return scene::unit_text(dimension, world.scene->units); };
   const std::string force = unit(scene::Dimension::force), length = unit(scene::Dimension::length);

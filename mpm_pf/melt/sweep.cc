@@ -103,9 +103,10 @@ namespace melt
                  });
 #pragma omp barrier
     }
-    if (steps % 2 != 0 && fields.phi)
+    const bool swapped = (finite ? steps : done) % 2 != 0;
+    if (swapped && fields.phi)
       fields.phi->swap(spare_phi);
-    if (steps % 2 != 0 && fields.theta)
+    if (swapped && fields.theta)
       fields.theta->swap(spare_theta);
     if (!finite)
       throw medium::NumericalTrouble("growth step " + std::to_string(first_step + done) + ": " +

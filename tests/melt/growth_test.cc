@@ -169,6 +169,30 @@ TEST(Growth, CatchesTheBlowUpOfAForcedStepWithinAFewSteps)
   }
 }
 
+// The fields have two copies that take turns; what is said is of the last one.
+TEST(Growth, NamesTheSameNodeWhetherOddOrEvenStepsWereAsked)
+{
+  const Mesh mesh = test::square_mesh(33, 0.4, Boundary::no_flux);
+  GrowthOptions options;
+  options.force = true;
+  std::string said[2];
+  for (const int odd : {0, 1})
+  {
+    test::Melt melt = test::seeded(mesh, {6.4, 6.4}, 4., 0.55);
+    Growth growth(mesh, test::paper_law(0.05), options, 0.55);
+    try
+    {
+      growth.advance(melt.fields(), 2.5 * growth.step_limit(), 480 + odd);
+    }
+    catch (const medium::NumericalTrouble &trouble)
+    {
+      said[odd] = trouble.what();
+    }
+  }
+  EXPECT_NE(said[0].find("node ("), std::string::npos) << said[0];
+  EXPECT_EQ(said[0], said[1]);
+}
+
 // A cosine of the temperature decays by 1 - h D K a step, K the eigenvalue of the Laplacian.
 TEST(Heat, DiffusesACosineByTheDiscreteEigenvalue)
 {

@@ -1,14 +1,21 @@
 // The coupled program as a whole: a seed that grows up to a wall and is pressed by it.
 #include <algorithm>
+#include <filesystem>
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "accounts.h"
 #include "coupling.h"
+#include "forecast.h"
 #include "inertia.h"
 #include "melt_history.h"
+#include "medium/trouble.h"
 #include "record/checkpoint.h"
+#include "record/reader.h"
 #include "scene/geometry.h"
+#include "scene/reader.h"
+#include "scene/value.h"
 #include "simulate.h"
 #include "solid/growing.h"
 
@@ -56,6 +63,61 @@ namespace
     return state;
   }
 } // namespace
+
+TEST(Coupled, TroubleOfTheMeltTellsItsTime)
+{
+  scene::Scene scene = pressed_seed();
+  scene.growth->step = 2.5 * build_world(scene, 1).growth->step_limit();
+  World world = build_world(scene, 1, true);
+  try
+  {
+    go(world, 1000);
+    FAIL() << "it went on";
+  }
+  catch (const medium::NumericalTrouble &trouble)
+  {
+    const std::string said = trouble.what();
+    EXPECT_EQ(said.rfind("from time " + scene::number_text(world.time) + " on, growth step", 0), 0u)
+        << said;
+  }
+}
+
+TEST(Coupled, TheReactionOfAWallTellsHowFarItWentBeforeItTouches)
+{
+  scene::Scene scene = pressed_seed();
+  scene::Probe push;
+  push.name = "push", push.kind = scene::ReactionProbe{"wall top"}, push.every = 0.5;
+  scene.probes = {push};
+  scene.clock.end = 2.;
+  const std::string path =
+      ::testing::TempDir() + "wall_reaction_" + std::to_string(getpid()) + ".h5";
+  {
+    World world = build_world(scene, 1);
+    record::Writer writer(path, {}, scene, true);
+    Recorder recorder(scene, writer);
+    ASSERT_TRUE(simulate(world, recorder, [](const World &) { return true; }));
+    EXPECT_FALSE(world.walls->walls[0].touched);
+    writer.finish({});
+  }
+  const auto table = record::Reader(path).table("push");
+  const auto column = static_cast<std::size_t>(
+      std::find(table.columns.names.begin(), table.columns.names.end(), "displacement_y") -
+      table.columns.names.begin());
+  ASSERT_EQ(table.time.size(), 5u);
+  for (std::size_t k = 0; k < table.time.size(); ++k)
+    EXPECT_NEAR(table.rows[k][column], -0.2 * table.time[k], 1e-12);
+  std::filesystem::remove(path);
+}
+
+TEST(Forecast, IsMadeOfAStepThatIsForced)
+{
+  scene::Scene scene = pressed_seed();
+  scene.walls.clear(), scene.solid.reset(), scene.mpm.reset();
+  scene.clock.end = 1.;
+  scene.growth->step = (1. + 1e-6) * build_world(scene, 1).growth->step_limit();
+  EXPECT_THROW(foretell(scene, 1), scene::BadScene);
+  EXPECT_GT(foretell(scene, 1, true).cpu_s(), 0.);
+}
 
 TEST(Coupled, NoPointExistsBeforeAWallTouches)
 {
