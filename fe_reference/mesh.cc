@@ -8,6 +8,7 @@
 #include "record/provenance.h"
 #include "scene/geometry.h"
 #include "scene/reader.h"
+#include "scene/value.h"
 
 namespace fe
 {
@@ -126,7 +127,7 @@ namespace fe
           const scene::Place &place = scene.bodies.front().place;
           throw scene::BadScene(
               place.file + ":" + std::to_string(place.line) + ": body: the material near (" +
-              std::to_string(p[0]) + ", " + std::to_string(p[1]) +
+              scene::number_text(p[0]) + ", " + scene::number_text(p[1]) +
               ") touches no [[support]]; without inertia it has no equilibrium. Hold it with a "
               "support, or run this scene with mpm_pf alone");
         }

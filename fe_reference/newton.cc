@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "scene/value.h"
+
 namespace fe
 {
   namespace
@@ -118,7 +120,7 @@ namespace fe
         report.remedy = "a support that takes up the force";
         report.worst_unknown = pin;
         report.trouble = std::string("nothing holds the body in ") + (pin % 2 ? "y" : "x") +
-                         ", yet a net force of " + std::to_string(force) + " acts on it";
+                         ", yet a net force of " + scene::number_text(force) + " acts on it";
         return false;
       }
       return true;
@@ -181,7 +183,7 @@ namespace fe
         }
       }
       report.trouble = "no equilibrium within " + std::to_string(most_iterations) +
-                       " iterations (residual " + std::to_string(report.residuals.back()) +
+                       " iterations (residual " + scene::number_text(report.residuals.back()) +
                        " of the largest force)";
     }
     catch (const OutOfMemory &error)

@@ -8,6 +8,7 @@
 #include "capacity.h"
 #include "medium/sums.h"
 #include "scene/interface_distance.h"
+#include "scene/value.h"
 
 namespace
 {
@@ -98,11 +99,11 @@ namespace
     world.growth = std::make_unique<melt::Growth>(*world.mesh, law, options, undercooling);
     const double limit = world.growth->step_limit();
     if (scene.growth && scene.growth->step && *scene.growth->step > limit && !force)
-      throw scene::BadScene(scene.growth->place.file + ":" +
-                            std::to_string(scene.growth->place.line) +
-                            ": growth.step = " + std::to_string(*scene.growth->step) +
-                            " exceeds the limit of the explicit scheme, " + std::to_string(limit) +
-                            "; shorten it or leave it out (--force shows it fail)");
+      throw scene::BadScene(
+          scene.growth->place.file + ":" + std::to_string(scene.growth->place.line) +
+          ": growth.step = " + scene::number_text(*scene.growth->step) +
+          " exceeds the limit of the explicit scheme, " + scene::number_text(limit) +
+          "; shorten it or leave it out (--force shows it fail)");
     if (scene.noise)
       world.noise = std::make_unique<melt::Noise>(
           *world.mesh, melt::Noise::Options{scene.noise->strength, law.diffusivity,

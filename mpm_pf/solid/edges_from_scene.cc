@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "scene/value.h"
 #include "solid/support_builder.h"
 
 namespace solid
@@ -29,7 +30,7 @@ namespace solid
       line.axis = std::abs(along[0]) > std::abs(along[1]) ? 1 : 0;
       if (std::abs(along[line.axis]) > build.small())
         refuse(asked, "is on a slanted segment; allowed are segments along x or y, or a box of "
-                      "material: in = [[x, y], [x, y]]");
+                      "material: region = {lower = [x, y], upper = [x, y]}");
       line.initial = segment.a[line.axis];
       const Point middle = 0.5 * (segment.a + segment.b);
       const Point step = 0.01 * build.dx * Point::Unit(line.axis);
@@ -124,7 +125,7 @@ namespace solid
               [](const auto &a, const auto &b) { return a.first < b.first; });
     if (found.empty() || found.back().first - found.front().first < 0.25 * build.dx)
       refuse(asked, "holds less of the outline than the half cell (" +
-                        std::to_string(0.5 * build.dx) +
+                        scene::number_text(0.5 * build.dx) +
                         ") that can be held; name a longer straight piece, or a box of material");
     std::vector<HeldLine> pieces;
     for (const auto &[s, tracer] : found)

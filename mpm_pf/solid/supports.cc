@@ -58,6 +58,11 @@ namespace solid
         supports.marked.push_back(n);
       wanted[axis] = line;
       const auto found = std::find(pairs.begin(), pairs.end(), wanted);
+      constexpr std::size_t most = std::numeric_limits<std::uint8_t>::max();
+      if (found == pairs.end() && pairs.size() == most)
+        throw std::runtime_error("more than " + std::to_string(most) +
+                                 " pairs of held lines share nodes, which is all that the grid "
+                                 "tells apart; hold edges by fewer supports");
       grid.fold[n] = static_cast<std::uint8_t>(found - pairs.begin() + 1);
       if (found == pairs.end())
         pairs.push_back(wanted);
