@@ -49,6 +49,12 @@ namespace fe
       return probes;
     }
 
+    bool looks_at_instants(const scene::Probe &probe)
+    {
+      return !std::holds_alternative<scene::ReactionProbe>(probe.kind) &&
+             !std::holds_alternative<scene::HistoryProbe>(probe.kind);
+    }
+
     struct Stopwatch
     {
       double &wall, &cpu;
@@ -69,7 +75,8 @@ namespace fe
     const std::vector<int> &piece = problem.supports.piece;
     several_pieces = std::count(piece.begin(), piece.end(), piece.front()) < d.nodes;
     const scene::Box box = scene::bounding_box(scene.bodies);
-    default_bin = (box.upper[0] - box.lower[0]) / 20.;
+    default_bin = std::max((box.upper - box.lower).minCoeff() / 20.,
+                           scene.domain.spacing().maxCoeff()); // as the manual of `bin` says
     const auto watch = [this](const scene::Probe &probe)
     {
       watches.push_back({&probe, scene::sample_times(probe, scene.clock.end), false});
@@ -101,23 +108,28 @@ namespace fe
     if (several_pieces)
       overlapping = overlap_of_pieces(problem.mesh, problem.supports.piece, step.state.u);
     overlap_time = step.state.time;
-    energy_row(step);
-    std::unique_ptr<Snapshot> body; // only if some probe needs the whole body
-    for (const Watch &watch : watches)
-    {
-      if (!due(watch, step.state.time))
-        continue;
-      if (const auto *reaction = std::get_if<scene::ReactionProbe>(&watch.probe->kind))
-        reaction_row(watch.probe->name, reaction->support, step.state);
-      else if (std::holds_alternative<scene::HistoryProbe>(watch.probe->kind))
-        history_row(watch.probe->name, step);
-      else
-      {
-        if (!body)
-          body = std::make_unique<Snapshot>(look_at_body(step));
-        look_at(*watch.probe, *body, step.state);
-      }
-    }
+    const bool whole =
+        std::any_of(watches.begin(), watches.end(),
+                    [&](const Watch &watch)
+                    { return looks_at_instants(*watch.probe) && due(watch, step.state.time); });
+    std::optional<Snapshot> body;
+    if (whole)
+      body.emplace(look_at_body(step));
+    on_first_process(
+        [&]
+        {
+          if (!energy_asked)
+            history_row("energy", step);
+          for (const Watch &watch : watches)
+            if (!due(watch, step.state.time))
+              continue;
+            else if (const auto *reaction = std::get_if<scene::ReactionProbe>(&watch.probe->kind))
+              reaction_row(watch.probe->name, reaction->support, step.state);
+            else if (std::holds_alternative<scene::HistoryProbe>(watch.probe->kind))
+              history_row(watch.probe->name, step);
+            else
+              look_at(*watch.probe, *body, step.state);
+        });
   }
 
   Snapshot Observer::look_at_body(const Step &step) const
@@ -133,11 +145,13 @@ namespace fe
   {
     const Stopwatch stopwatch{wall, cpu};
     const Snapshot body = look_at_body(step);
-    for (const Watch &watch : watches)
-      if (!due(watch, step.state.time) &&
-          !std::holds_alternative<scene::ReactionProbe>(watch.probe->kind) &&
-          !std::holds_alternative<scene::HistoryProbe>(watch.probe->kind))
-        look_at(*watch.probe, body, step.state);
+    on_first_process(
+        [&]
+        {
+          for (const Watch &watch : watches)
+            if (looks_at_instants(*watch.probe) && !due(watch, step.state.time))
+              look_at(*watch.probe, body, step.state);
+        });
   }
 
   void Observer::watch_folding(const Step &step)
@@ -232,12 +246,6 @@ namespace fe
                    step.newton.residuals.empty() ? 0. : step.newton.residuals.back()});
   }
 
-  void Observer::energy_row(const Step &step)
-  {
-    if (!energy_asked)
-      history_row("energy", step);
-  }
-
   void Observer::reaction_row(const std::string &name, const std::string &support,
                               const State &state)
   {
@@ -276,7 +284,7 @@ namespace fe
       writer->line(probe.name, columns, state.time, sample_line(body, *line, names, default_bin));
     else if (const auto *point = std::get_if<scene::PointProbe>(&probe.kind))
       writer->table(probe.name, columns, state.time,
-                    values_at(body, point->at, point->frame, names));
+                    sample_point(body, *point, names, default_bin));
     else if (const auto *region = std::get_if<scene::RegionProbe>(&probe.kind))
       writer->table(probe.name, columns, state.time, region_means(body, *region, names));
     else if (const auto *outline = std::get_if<scene::OutlineProbe>(&probe.kind))

@@ -61,7 +61,6 @@ namespace fe
     };
     bool due(const Watch &, double time) const;
     Snapshot look_at_body(const Step &) const;
-    void energy_row(const Step &);
     void watch_folding(const Step &);
     void look_at(const scene::Probe &, const Snapshot &, const State &);
     void reaction_row(const std::string &name, const std::string &support, const State &);

@@ -13,9 +13,12 @@ namespace fe
     double area;
   };
 
-  /// Calls `see` for split x split samples of every patch of the body (of cell `only`, if given).
+  /// Calls `see` for split x split samples of every patch of the body, or of one cell.
   template <class See>
   void for_each_sample(const Snapshot &body, int split, scene::Frame frame, const See &see);
+  template <class See>
+  void for_each_sample_of(const Snapshot &body, int cell, int split, scene::Frame frame,
+                          const See &see);
 
   /// Integration point whose patch holds the unit coordinates.
   int patch_of(const Discretisation &, const Point &unit);
@@ -27,30 +30,37 @@ namespace fe
   void for_each_sample(const Snapshot &body, const int split, const scene::Frame frame,
                        const See &see)
   {
+    for (int cell = 0; cell < body.problem.mesh.cells; ++cell)
+      for_each_sample_of(body, cell, split, frame, see);
+  }
+
+  template <class See>
+  void for_each_sample_of(const Snapshot &body, const int cell, const int split,
+                          const scene::Frame frame, const See &see)
+  {
     const Discretisation &d = body.problem.mesh;
     const std::vector<double> bound = patch_bounds(d.degree);
     const int patches = d.degree + 1;
-    for (int cell = 0; cell < d.cells; ++cell)
-      for (int q = 0; q < d.points_per_cell; ++q)
+    for (int q = 0; q < d.points_per_cell; ++q)
+    {
+      // Gauss points of deal.II run in x first.
+      const int i = q % patches, j = q / patches;
+      const double dx = (bound[i + 1] - bound[i]) / split, dy = (bound[j + 1] - bound[j]) / split;
+      for (int k = 0; k < split * split; ++k)
       {
-        // Gauss points of deal.II run in x first.
-        const int i = q % patches, j = q / patches;
-        const double dx = (bound[i + 1] - bound[i]) / split, dy = (bound[j + 1] - bound[j]) / split;
-        for (int k = 0; k < split * split; ++k)
-        {
-          // Undivided, the patch is its Gauss point, and the sum is Gauss quadrature.
-          const Point unit = split == 1 ? d.unit_point[q]
-                                        : Point(bound[i] + (k % split + 0.5) * dx,
-                                                bound[j] + (k / split + 0.5) * dy);
-          PatchSample sample{cell, q, unit, Point::Zero(), 0.};
-          Matrix2 slope;
-          sample.x = position_in(body, {cell, sample.unit}, scene::Frame::current, &slope);
-          sample.area = dx * dy * (slope(0, 0) * slope(1, 1) - slope(0, 1) * slope(1, 0));
-          if (frame == scene::Frame::material)
-            sample.x = position_in(body, {cell, sample.unit}, frame);
-          if (sample.area > 0.)
-            see(sample);
-        }
+        // Undivided, the patch is its Gauss point, and the sum is Gauss quadrature.
+        const Point unit = split == 1 ? d.unit_point[q]
+                                      : Point(bound[i] + (k % split + 0.5) * dx,
+                                              bound[j] + (k / split + 0.5) * dy);
+        PatchSample sample{cell, q, unit, Point::Zero(), 0.};
+        Matrix2 slope;
+        sample.x = position_in(body, {cell, sample.unit}, scene::Frame::current, &slope);
+        sample.area = dx * dy * (slope(0, 0) * slope(1, 1) - slope(0, 1) * slope(1, 0));
+        if (frame == scene::Frame::material)
+          sample.x = position_in(body, {cell, sample.unit}, frame);
+        if (sample.area > 0.)
+          see(sample);
       }
+    }
   }
 } // namespace fe

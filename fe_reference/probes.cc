@@ -45,40 +45,66 @@ namespace fe
       std::vector<double> area, sums; // points, points x names
     };
 
-    Bins fill_bins(const Snapshot &body, const scene::LineProbe &line,
-                   const std::vector<Point> &positions, const std::vector<std::string> &names,
+    /// Positions are evenly spaced on a straight line.
+    Bins fill_bins(const Snapshot &body, const std::vector<Point> &positions,
+                   const scene::Frame frame, const std::vector<std::string> &names,
                    const double bin)
     {
       const std::vector<Quantity> of = functions(names);
       Bins bins{std::vector<double>(positions.size(), 0.),
                 std::vector<double>(positions.size() * names.size(), 0.)};
       const Material &material = body.problem.material;
-      const Point direction = line.b - line.a;
-      const double squared = direction.squaredNorm();
-      const auto last = static_cast<double>(positions.size() - 1);
-      for_each_sample(body, 4, line.frame,
-                      [&](const PatchSample &s)
-                      {
-                        // Only points of the line within reach of the sample, by its projection on
-                        // the line.
-                        const double along = (s.x - line.a).dot(direction) / squared * last;
-                        const double reach = bin * last / std::sqrt(squared) + 1.;
-                        const int first = std::max(0, static_cast<int>(std::floor(along - reach)));
-                        const int end = static_cast<int>(std::min(last, std::ceil(along + reach)));
-                        for (int k = first; k <= end; ++k)
-                        {
-                          if ((s.x - positions[k]).cwiseAbs().maxCoeff() > 0.5 * bin)
-                            continue;
-                          const Sample sample{body.points.data() +
-                                                  s.cell * body.problem.mesh.points_per_cell +
-                                                  s.point,
-                                              Point::Zero(), Point::Zero(), s.area};
-                          bins.area[k] += s.area;
-                          for (std::size_t n = 0; n < of.size(); ++n)
-                            bins.sums[k * of.size() + n] += s.area * of[n](material, sample);
-                        }
-                      });
+      const Point a = positions.front(), direction = positions.back() - a;
+      const double length = direction.norm(), last = static_cast<double>(positions.size()) - 1.;
+      const auto see = [&](const PatchSample &s)
+      {
+        // Only points of the line within reach of the sample, by its projection on the line.
+        const double along = length > 0. ? (s.x - a).dot(direction) / (length * length) * last : 0.;
+        const double reach = length > 0. ? bin * last / length + 1. : 1.;
+        const int first = std::max(0, static_cast<int>(std::floor(along - reach)));
+        const int end = static_cast<int>(std::min(last, std::ceil(along + reach)));
+        for (int k = first; k <= end; ++k)
+        {
+          if ((s.x - positions[k]).cwiseAbs().maxCoeff() > 0.5 * bin)
+            continue;
+          const Sample sample{body.points.data() + s.cell * body.problem.mesh.points_per_cell +
+                                  s.point,
+                              Point::Zero(), Point::Zero(), s.area};
+          bins.area[k] += s.area;
+          for (std::size_t n = 0; n < of.size(); ++n)
+            bins.sums[k * of.size() + n] += s.area * of[n](material, sample);
+        }
+      };
+      const Point half = Point::Constant(0.5 * bin);
+      const Point lower = a.cwiseMin(positions.back()) - half;
+      const Point upper = a.cwiseMax(positions.back()) + half;
+      for (int cell = 0; cell < body.problem.mesh.cells; ++cell)
+        if (const scene::Box box = box_of_cell(body, cell, frame);
+            (box.upper.array() >= lower.array()).all() &&
+            (box.lower.array() <= upper.array()).all())
+          for_each_sample_of(body, cell, 4, frame, see);
       return bins;
+    }
+
+    /// Values of `names` at each of some positions on a straight line.
+    std::vector<double> sample(const Snapshot &body, const std::vector<Point> &positions,
+                               const scene::Frame frame, const std::vector<std::string> &names,
+                               const double bin)
+    {
+      const bool binned = std::any_of(names.begin(), names.end(), is_binned);
+      const Bins bins = binned && bin > 0. ? fill_bins(body, positions, frame, names, bin) : Bins{};
+      std::vector<double> values;
+      for (std::size_t k = 0; k < positions.size(); ++k)
+      {
+        const std::vector<double> here = values_at(body, positions[k], frame, names);
+        const bool outside = !locate_material(body, positions[k], frame).has_value();
+        for (std::size_t n = 0; n < names.size(); ++n)
+          if (is_binned(names[n]) && !bins.area.empty() && bins.area[k] > 0.)
+            values.push_back(outside ? missing : bins.sums[k * names.size() + n] / bins.area[k]);
+          else
+            values.push_back(here[n]);
+      }
+      return values;
     }
   } // namespace
 
@@ -121,23 +147,15 @@ namespace fe
       result.position.push_back(
           line.a +
           (line.b - line.a) * (line.points > 1 ? static_cast<double>(k) / (line.points - 1) : 0.5));
-    const bool binned = std::any_of(names.begin(), names.end(), is_binned);
-    const double bin = line.bin.value_or(default_bin);
-    const Bins bins =
-        binned && bin > 0. ? fill_bins(body, line, result.position, names, bin) : Bins{};
-    for (std::size_t k = 0; k < result.position.size(); ++k)
-    {
-      const std::vector<double> here = values_at(body, result.position[k], line.frame, names);
-      const bool outside = !locate_material(body, result.position[k], line.frame).has_value();
-      for (std::size_t n = 0; n < names.size(); ++n)
-        if (is_binned(names[n]) && !bins.area.empty())
-          result.values.push_back(outside || bins.area[k] <= 0.
-                                      ? missing
-                                      : bins.sums[k * names.size() + n] / bins.area[k]);
-        else
-          result.values.push_back(here[n]);
-    }
+    result.values =
+        sample(body, result.position, line.frame, names, line.bin.value_or(default_bin));
     return result;
+  }
+
+  std::vector<double> sample_point(const Snapshot &body, const scene::PointProbe &point,
+                                   const std::vector<std::string> &names, const double default_bin)
+  {
+    return sample(body, {point.at}, point.frame, names, point.bin.value_or(default_bin));
   }
 
   std::vector<double> region_means(const Snapshot &body, const scene::RegionProbe &region,

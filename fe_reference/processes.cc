@@ -2,6 +2,12 @@
 
 #include <mpi.h>
 
+#include <chrono>
+#include <exception>
+#include <iostream>
+#include <stdexcept>
+#include <thread>
+
 namespace fe
 {
   void sum_over_processes(std::vector<double> &values)
@@ -22,6 +28,39 @@ namespace fe
     MPI_Allreduce(&value, &minimum, 1, MPI_DOUBLE, MPI_MIN, MPI_COMM_WORLD);
     return minimum;
   }
+  void on_first_process(const std::function<void()> &work)
+  {
+    std::string trouble;
+    if (process_number() == 0)
+      try
+      {
+        work();
+      }
+      catch (const std::exception &error)
+      {
+        trouble = *error.what() ? error.what() : "unknown trouble";
+      }
+    if (sum_over_processes(trouble.empty() ? 0. : 1.) > 0.)
+      throw std::runtime_error(trouble.empty() ? "process 0 is in trouble" : trouble);
+  }
+
+  void share_trouble(const std::string &what, const int exit_code)
+  {
+    using namespace std::chrono;
+    MPI_Request all = MPI_REQUEST_NULL;
+    MPI_Ibarrier(MPI_COMM_WORLD, &all);
+    const auto longest = steady_clock::now() + seconds(20);
+    for (int here = 0; !here; std::this_thread::sleep_for(milliseconds(10)))
+    {
+      MPI_Test(&all, &here, MPI_STATUS_IGNORE);
+      if (!here && steady_clock::now() > longest)
+      {
+        std::cerr << "fe_reference: process " << process_number() << ": " << what << std::endl;
+        MPI_Abort(MPI_COMM_WORLD, exit_code);
+      }
+    }
+  }
+
   int process_number()
   {
     int number = 0;

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <sstream>
 #include <stdexcept>
 
 #include "banner.h"
@@ -11,6 +12,7 @@
 #include "observer.h"
 #include "plan.h"
 #include "record/progress.h"
+#include "scene/value.h"
 #include "state_checkpoint.h"
 #include "versions.h"
 
@@ -52,7 +54,7 @@ namespace fe
       const double ratio = filled(scene, mesh);
       return std::abs(ratio - 1.) < 1e-3
                  ? ""
-                 : "  mesh     has " + std::to_string(100. * ratio) +
+                 : "  mesh     has " + scene::number_text(1e-3 * std::round(1e5 * ratio)) +
                        " % of the bodies' area; finer [fe] cells come nearer\n";
     }
 
@@ -76,30 +78,23 @@ namespace fe
       int conclude(const Problem &, const LinearSystem &, Observer &, const Outcome &);
     };
 
-    // Process 0 opens it; all learn whether it could, lest the others wait for ever.
     void Run::open_record(const std::optional<double> &resumed_at)
     {
-      std::string trouble;
-      if (first)
-        try
-        {
-          std::filesystem::create_directories(command.output);
-          auto provenance = record::collect("fe_reference", command.joined, command.threads);
-          add_versions(provenance, scene);
-          provenance["processes"] = std::to_string(number_of_processes());
-          if (resumed_at)
-            writer = std::make_unique<record::Writer>(command.record_path(), provenance, scene,
-                                                      record::Writer::Resume{*resumed_at});
-          else
-            writer = std::make_unique<record::Writer>(command.record_path(), provenance, scene,
-                                                      command.force);
-        }
-        catch (const std::exception &error)
-        {
-          trouble = error.what();
-        }
-      if (sum_over_processes(trouble.empty() ? 0. : 1.) > 0.)
-        throw std::runtime_error(first ? trouble : "process 0 could not open the record");
+      const int processes = number_of_processes();
+      on_first_process(
+          [&]
+          {
+            std::filesystem::create_directories(command.output);
+            auto provenance = record::collect("fe_reference", command.joined, command.threads);
+            add_versions(provenance, scene);
+            provenance["processes"] = std::to_string(processes);
+            if (resumed_at)
+              writer = std::make_unique<record::Writer>(command.record_path(), provenance, scene,
+                                                        record::Writer::Resume{*resumed_at});
+            else
+              writer = std::make_unique<record::Writer>(command.record_path(), provenance, scene,
+                                                        command.force);
+          });
     }
 
     record::Profile Run::profile(const Problem &problem, const LinearSystem &system,
@@ -202,6 +197,23 @@ namespace fe
 
   namespace
   {
+    // From the start or from what was saved.
+    Outcome follow_together(const scene::Scene &scene, const Problem &problem, LinearSystem &system,
+                            const Course &course, std::optional<Saved> saved)
+    {
+      try
+      {
+        return saved ? follow(problem, system, std::move(saved->state), course,
+                              std::move(saved->pace))
+                     : follow(problem, system, initial_state(problem, scene), course);
+      }
+      catch (const std::exception &error) // here, since the processes part together with `system`
+      {
+        share_trouble(error.what(), record::numerical_trouble);
+        throw;
+      }
+    }
+
     // Sets `under_way` once the record is open.
     int march(const scene::Scene &scene, const record::CommandLine &command,
               const std::function<bool()> &stop_asked, bool &under_way)
@@ -215,7 +227,7 @@ namespace fe
       LinearSystem system(problem.mesh);
 
       std::optional<Saved> saved;
-      if (command.resume && std::filesystem::exists(run.checkpoint_path()))
+      if (command.resume)
         saved = load(run.checkpoint_path(), scene, problem);
       run.open_record(saved ? std::optional<double>(saved->state.time) : std::nullopt);
       under_way = true;
@@ -231,8 +243,7 @@ namespace fe
       double last_checkpoint = record::wall_seconds();
       const auto checkpoint = [&](const State &state, const Pace &pace)
       {
-        if (run.writer)
-          run.writer->flush();
+        on_first_process([&] { run.writer->flush(); });
         save(run.checkpoint_path(), scene, problem, state, pace, observer.folding());
         last_checkpoint = record::wall_seconds();
       };
@@ -241,18 +252,16 @@ namespace fe
       course.observe = [&](const Step &step)
       {
         observer.observe(step);
-        progress.update(step.state.time, "step " + std::to_string(step.pace.steps) + ", " +
-                                             std::to_string(step.newton.iterations) +
-                                             " iterations, smallest Jacobian " +
-                                             std::to_string(step.state.smallest_jacobian));
+        std::ostringstream now;
+        now << "step " << step.pace.steps << ", " << step.newton.iterations
+            << " iterations, smallest Jacobian " << step.state.smallest_jacobian;
+        progress.update(step.state.time, now.str());
         const double waited = record::wall_seconds() - last_checkpoint;
         if (-minimum_over_processes(-waited) > seconds_between_checkpoints)
           checkpoint(step.state, step.pace);
       };
 
-      Outcome outcome =
-          saved ? follow(problem, system, std::move(saved->state), course, std::move(saved->pace))
-                : follow(problem, system, initial_state(problem, scene), course);
+      const Outcome outcome = follow_together(scene, problem, system, course, std::move(saved));
       if (outcome.kind == Outcome::Kind::interrupted)
       {
         checkpoint(outcome.last, outcome.pace);

@@ -82,22 +82,28 @@ namespace fe
     return x;
   }
 
+  scene::Box box_of_cell(const Snapshot &body, const int cell, const scene::Frame frame)
+  {
+    const Discretisation &d = body.problem.mesh;
+    Point lower = node_position(body, d.nodes_of(cell)[0], frame), upper = lower;
+    for (int a = 1; a < d.nodes_per_cell; ++a)
+    {
+      const Point p = node_position(body, d.nodes_of(cell)[a], frame);
+      lower = lower.cwiseMin(p);
+      upper = upper.cwiseMax(p);
+    }
+    const Point margin = 0.25 * (upper - lower); // curved sides leave the box of their nodes
+    return {lower - margin, upper + margin};
+  }
+
   std::optional<Location> locate(const Snapshot &body, const Point &x, const scene::Frame frame)
   {
     const Discretisation &d = body.problem.mesh;
     constexpr double tolerance = 1e-8; // of the unit square: points on a side belong to the cell
     for (int cell = 0; cell < d.cells; ++cell)
     {
-      Point lower = node_position(body, d.nodes_of(cell)[0], frame), upper = lower;
-      for (int a = 1; a < d.nodes_per_cell; ++a)
-      {
-        const Point p = node_position(body, d.nodes_of(cell)[a], frame);
-        lower = lower.cwiseMin(p);
-        upper = upper.cwiseMax(p);
-      }
-      const Point margin = 0.25 * (upper - lower); // curved sides leave the box of their nodes
-      if ((x.array() < (lower - margin).array()).any() ||
-          (x.array() > (upper + margin).array()).any())
+      const scene::Box box = box_of_cell(body, cell, frame);
+      if ((x.array() < box.lower.array()).any() || (x.array() > box.upper.array()).any())
         continue;
       Location at{cell, Point(0.5, 0.5)};
       for (int iteration = 0; iteration < 20; ++iteration)
@@ -114,7 +120,7 @@ namespace fe
           break;
       }
       if (at.unit.minCoeff() > -tolerance && at.unit.maxCoeff() < 1. + tolerance &&
-          (x - position_in(body, at, frame)).norm() < 1e-8 * (upper - lower).norm())
+          (x - position_in(body, at, frame)).norm() < 1e-8 * (box.upper - box.lower).norm())
         return at;
     }
     return std::nullopt;

@@ -42,6 +42,9 @@ namespace fe
     int cell;
     Point unit;
   };
+  /// Holds the cell, its curved sides, too.
+  scene::Box box_of_cell(const Snapshot &, int cell, scene::Frame);
+
   /// Cell that holds `x` (current or, with Frame::material, initial position); empty outside.
   std::optional<Location> locate(const Snapshot &, const Point &x, scene::Frame);
   /// The same; a point between a curved outline and the chord that a side of the mesh makes of it,
@@ -53,7 +56,11 @@ namespace fe
   std::vector<double> values_at(const Snapshot &, const Point &x, scene::Frame,
                                 const std::vector<std::string> &names);
 
-  /// A line probe: stresses as bin means, displacements interpolated.
+  /// A point probe: stresses as means over the square bin around it, by current area, displacements
+  /// interpolated. A bin that is too small to meet a sample of a patch has the value of the patch.
+  std::vector<double> sample_point(const Snapshot &, const scene::PointProbe &,
+                                   const std::vector<std::string> &names, double default_bin);
+  /// A line probe: the same at each of its points.
   record::LineSample sample_line(const Snapshot &, const scene::LineProbe &,
                                  const std::vector<std::string> &names, double default_bin);
 

@@ -7,28 +7,35 @@
 
 namespace fe
 {
+  namespace
+  {
+    void write(const std::string &path, const scene::Scene &scene, const State &state,
+               const std::vector<double> &points, const Pace &pace, const Folding &folding)
+    {
+      record::CheckpointFile checkpoint(path, scene);
+      checkpoint.put("time", state.time);
+      checkpoint.put("smallest_jacobian", state.smallest_jacobian);
+      checkpoint.put("force_scale", state.force_scale);
+      checkpoint.put("u", state.u);
+      checkpoint.put("internal", state.internal);
+      checkpoint.put("external", state.external);
+      checkpoint.put("points", points);
+      checkpoint.put("velocity", pace.velocity);
+      checkpoint.put("pace", std::vector<double>{pace.increment, double(pace.easy),
+                                                 double(pace.steps), double(pace.retries),
+                                                 double(pace.iterations), pace.energies.external,
+                                                 pace.energies.elastic, pace.energies.plastic});
+      checkpoint.put("folding", std::vector<double>{folding.last_valid, folding.time,
+                                                    static_cast<double>(folding.cell)});
+      checkpoint.finish();
+    }
+  } // namespace
+
   void save(const std::string &path, const scene::Scene &scene, const Problem &problem,
             const State &state, const Pace &pace, const Folding &folding)
   {
     const std::vector<double> points = whole_points(problem.mesh, state.points);
-    if (process_number() != 0)
-      return;
-    record::CheckpointFile checkpoint(path, scene);
-    checkpoint.put("time", state.time);
-    checkpoint.put("smallest_jacobian", state.smallest_jacobian);
-    checkpoint.put("force_scale", state.force_scale);
-    checkpoint.put("u", state.u);
-    checkpoint.put("internal", state.internal);
-    checkpoint.put("external", state.external);
-    checkpoint.put("points", points);
-    checkpoint.put("velocity", pace.velocity);
-    checkpoint.put("pace", std::vector<double>{pace.increment, double(pace.easy),
-                                               double(pace.steps), double(pace.retries),
-                                               double(pace.iterations), pace.energies.external,
-                                               pace.energies.elastic, pace.energies.plastic});
-    checkpoint.put("folding", std::vector<double>{folding.last_valid, folding.time,
-                                                  static_cast<double>(folding.cell)});
-    checkpoint.finish();
+    on_first_process([&] { write(path, scene, state, points, pace, folding); });
   }
 
   Saved load(const std::string &path, const scene::Scene &scene, const Problem &problem)

@@ -7,7 +7,7 @@ namespace scene
     const std::vector<Form> &kinds()
     {
       static const std::vector<Form> forms{{"line", {"line", "points"}, {"bin", "frame", "of"}},
-                                           {"point (at)", {"at"}, {"frame", "of"}},
+                                           {"point (at)", {"at"}, {"bin", "frame", "of"}},
                                            {"region", {"region"}, {"of"}},
                                            {"reaction", {"reaction"}, {}},
                                            {"outline", {"outline"}, {}},
@@ -51,8 +51,8 @@ namespace scene
       probe.kind = LineProbe{input.line->a, input.line->b, *input.points,
                              input.frame.value_or(Frame::current), input.bin};
     else if (input.at)
-      probe.kind =
-          PointProbe{*input.at, input.frame.value_or(solid ? Frame::material : Frame::current)};
+      probe.kind = PointProbe{
+          *input.at, input.frame.value_or(solid ? Frame::material : Frame::current), input.bin};
     else if (input.region)
       probe.kind = *input.region;
     else if (input.reaction)

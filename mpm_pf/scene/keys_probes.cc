@@ -34,10 +34,11 @@ namespace scene
             .add("points", &P::points, between(2, 1000000), "Number of points of a line.",
                  "needed by lines")
             .add("bin", &P::bin, positive(Dimension::length),
-                 "Side of the square over which stresses are averaged along a line.",
-                 "absent: a twentieth of the bodies' width, the same at every resolution; four "
-                 "cells "
-                 "where a solid grows")
+                 "Side of the square round a point, or a point of a line, over which stresses, "
+                 "strains and the like are averaged there; displacements and velocities are not.",
+                 "absent: a twentieth of the shorter side of the bodies' bounding box, the same at "
+                 "every resolution, yet a cell of the domain at least; four cells where a solid "
+                 "grows")
             .add("frame", &P::frame, any(),
                  "Are the positions of a line or point current (x, y), or material (X, Y)? Fields "
                  "of "

@@ -28,6 +28,7 @@ namespace scene
   {
     Point at;
     Frame frame = Frame::material;
+    std::optional<double> bin = {};
   };
   /// Volume mean over all material, or that which started in a box.
   struct RegionProbe

@@ -1,6 +1,7 @@
 #include "solid/fields.h"
 
 #include <limits>
+#include <numeric>
 
 namespace solid
 {
@@ -12,18 +13,18 @@ namespace solid
     }
 
     template <typename F>
-    std::vector<double> each(const Solid &solid, F &&f)
+    std::vector<double> each(const Chosen &chosen, F &&f)
     {
-      std::vector<double> values(solid.points.size());
-      for (std::size_t p = 0; p < values.size(); ++p)
-        values[p] = f(p);
+      std::vector<double> values(chosen.size());
+      for (std::size_t k = 0; k < chosen.size(); ++k)
+        values[k] = f(chosen[k]);
       return values;
     }
 
-    std::vector<double> displacement(const Solid &solid, const int axis)
+    std::vector<double> displacement(const Solid &solid, const int axis, const Chosen &chosen)
     {
       const Points &points = solid.points;
-      return each(solid,
+      return each(chosen,
                   [&](const std::size_t p)
                   {
                     return axis == 0 ? points.x[p] - solid.fraction.decode(points.X[p], 0)
@@ -42,11 +43,35 @@ namespace solid
       return 0.5 * (0.5 * (large + small) + (axis == 0 ? per : -per) * half);
     }
 
-    std::vector<double> log_strain(const Solid &solid, const int axis)
+    scene::Box box_of(const Solid &solid, const Frame frame, const Chosen &chosen)
     {
-      const Neighbours neighbours(solid, Frame::material);
-      const std::vector<double> ux = displacement(solid, 0), uy = displacement(solid, 1);
-      return each(solid,
+      constexpr double most = std::numeric_limits<double>::max();
+      scene::Box box{Point(most, most), Point(-most, -most)};
+      for (const std::uint32_t p : chosen)
+      {
+        const Point x = position(solid, p, frame);
+        box.lower = box.lower.cwiseMin(x), box.upper = box.upper.cwiseMax(x);
+      }
+      return box;
+    }
+
+    constexpr double fitted_cells = 2.; // each way
+
+    /// What the fits at the chosen points take into account.
+    Chosen around(const Solid &solid, const Chosen &chosen)
+    {
+      scene::Box box = box_of(solid, Frame::material, chosen);
+      const Point margin = Point::Constant(fitted_cells * solid.grid.dx);
+      box.lower -= margin, box.upper += margin;
+      return points_in(solid, Frame::material, box);
+    }
+
+    std::vector<double> log_strain(const Solid &solid, const int axis, const Chosen &chosen)
+    {
+      const Neighbours neighbours(solid, Frame::material, around(solid, chosen));
+      const std::vector<double> ux = displacement(solid, 0, neighbours.chosen);
+      const std::vector<double> uy = displacement(solid, 1, neighbours.chosen);
+      return each(chosen,
                   [&](const std::size_t p)
                   {
                     const Point X = position(solid, p, Frame::material);
@@ -69,47 +94,76 @@ namespace solid
     return frame == Frame::material ? initial : initial * solid.points.jacobian[p];
   }
 
-  Neighbours::Neighbours(const Solid &solid, const Frame frame)
-      : lower(solid.domain.lower), size(solid.grid.dx), count(solid.domain.cells)
+  Chosen all_points(const Solid &solid)
   {
-    const std::size_t n = solid.points.size();
-    std::vector<std::uint32_t> cell(n);
-    start.assign(static_cast<std::size_t>(count[0]) * count[1] + 1, 0);
-    for (std::size_t p = 0; p < n; ++p)
+    Chosen all(solid.points.size());
+    std::iota(all.begin(), all.end(), 0);
+    return all;
+  }
+
+  Chosen points_in(const Solid &solid, const Frame frame, const scene::Box &box)
+  {
+    Chosen inside;
+    for (std::size_t p = 0; p < solid.points.size(); ++p)
     {
-      const Point s = (position(solid, p, frame) - lower) / size;
+      const Point x = position(solid, p, frame);
+      if ((x.array() >= box.lower.array()).all() && (x.array() <= box.upper.array()).all())
+        inside.push_back(static_cast<std::uint32_t>(p));
+    }
+    return inside;
+  }
+
+  Neighbours::Neighbours(const Solid &solid, const Frame frame, Chosen some)
+      : chosen(std::move(some)), lower(solid.domain.lower), size(solid.grid.dx), count{1, 1}
+  {
+    if (!chosen.empty())
+    {
+      const scene::Box box = box_of(solid, frame, chosen);
+      lower = box.lower;
+      // Bodies far apart in a large domain: no more than a few cells a point.
+      const Point extent = box.upper - box.lower;
+      size = std::max(size, std::sqrt(extent.prod() / (4. * static_cast<double>(chosen.size()))));
+      size = std::max(size, extent.maxCoeff() / (4. * static_cast<double>(chosen.size())));
+      for (int k = 0; k < 2; ++k)
+        count[k] = static_cast<int>(extent[k] / size) + 1;
+    }
+    std::vector<std::size_t> cell(chosen.size());
+    start.assign(static_cast<std::size_t>(count[0]) * count[1] + 1, 0);
+    for (std::size_t k = 0; k < chosen.size(); ++k)
+    {
+      const Point s = (position(solid, chosen[k], frame) - lower) / size;
       const int i = std::min(std::max(static_cast<int>(s[0]), 0), count[0] - 1);
       const int j = std::min(std::max(static_cast<int>(s[1]), 0), count[1] - 1);
-      cell[p] = static_cast<std::uint32_t>(j * count[0] + i);
-      ++start[cell[p] + 1];
+      cell[k] = static_cast<std::size_t>(j) * count[0] + i;
+      ++start[cell[k] + 1];
     }
     for (std::size_t k = 1; k < start.size(); ++k)
       start[k] += start[k - 1];
     std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
-    points.resize(n);
-    for (std::size_t p = 0; p < n; ++p)
-      points[next[cell[p]]++] = static_cast<std::uint32_t>(p);
+    order.resize(chosen.size());
+    for (std::size_t k = 0; k < chosen.size(); ++k)
+      order[next[cell[k]]++] = static_cast<std::uint32_t>(k);
   }
 
   Fit fit(const Solid &solid, const Neighbours &neighbours, const Frame frame,
           const std::vector<double> &field, const Point &at)
   {
-    const double reach = 2. * solid.grid.dx;
+    const double reach = fitted_cells * solid.grid.dx;
     // Normal equations of a + b X + c Y: sums of weight times 1, X, Y, XX, XY, YY and f, fX, fY.
     std::array<double, 9> m{};
     double closest = std::numeric_limits<double>::max();
     neighbours.near(at, reach,
-                    [&](const std::size_t p)
+                    [&](const std::size_t k)
                     {
-                      const Point d = (position(solid, p, frame) - at) / reach;
-                      const double r2 = d.squaredNorm(), X = d[0], Y = d[1], f = field[p];
+                      const Point d = (position(solid, neighbours.chosen[k], frame) - at) / reach;
+                      const double r2 = d.squaredNorm(), X = d[0], Y = d[1], f = field[k];
                       if (r2 >= 1.)
                         return;
                       closest = std::min(closest, r2);
                       const double w = (1. - r2) * (1. - r2) * (1. - r2);
                       const double terms[9] = {1., X, Y, X * X, X * Y, Y * Y, f, f * X, f * Y};
-                      for (int k = 0; k < 9; ++k)
-                        m[k] += w * terms[k];
+                      for (int n = 0; n < 9; ++n)
+                        m[n] += w * terms[n];
                     });
     // Inverse of the symmetric matrix by its cofactors.
     const double c00 = m[3] * m[5] - m[4] * m[4], c01 = m[2] * m[4] - m[1] * m[5];
@@ -125,17 +179,17 @@ namespace solid
             (c02 * m[6] + c12 * m[7] + c22 * m[8]) / det / reach};
   }
 
-  std::vector<double> field(const Solid &solid, const std::string &name)
+  std::vector<double> field(const Solid &solid, const std::string &name, const Chosen &chosen)
   {
     const Points &points = solid.points;
     const auto of = [&](const auto &array)
-    { return std::vector<double>(array.begin(), array.end()); };
+    { return each(chosen, [&](const std::size_t p) { return static_cast<double>(array[p]); }); };
     if (name == "von_mises")
-      return each(solid, [&](const std::size_t p) { return von_mises(stress(points, p)); });
+      return each(chosen, [&](const std::size_t p) { return von_mises(stress(points, p)); });
     if (name == "pressure")
-      return each(solid, [&](const std::size_t p) { return pressure(stress(points, p)); });
+      return each(chosen, [&](const std::size_t p) { return pressure(stress(points, p)); });
     if (name == "yielded")
-      return each(solid,
+      return each(chosen,
                   [&](const std::size_t p)
                   {
                     return solid.material.yield_stress && von_mises(stress(points, p)) >
@@ -144,15 +198,15 @@ namespace solid
                                : 0.;
                   });
     if (name == "area")
-      return each(solid, [&](const std::size_t p) { return area_of(solid, p, Frame::current); });
+      return each(chosen, [&](const std::size_t p) { return area_of(solid, p, Frame::current); });
     if (name == "displacement_x")
-      return displacement(solid, 0);
+      return displacement(solid, 0, chosen);
     if (name == "displacement_y")
-      return displacement(solid, 1);
+      return displacement(solid, 1, chosen);
     if (name == "log_strain_xx")
-      return log_strain(solid, 0);
+      return log_strain(solid, 0, chosen);
     if (name == "log_strain_yy")
-      return log_strain(solid, 1);
+      return log_strain(solid, 1, chosen);
     if (name == "plastic_strain")
       return of(points.plastic);
     if (name == "stress_xx")

@@ -15,18 +15,24 @@ namespace solid
   /// Area of point p in a frame.
   double area_of(const Solid &, std::size_t p, Frame);
 
-  /// Points by cells of the domain, in one frame.
+  /// Some of the points, ascending.
+  using Chosen = std::vector<std::uint32_t>;
+  Chosen all_points(const Solid &);
+  Chosen points_in(const Solid &, Frame, const scene::Box &);
+
+  /// Chosen points by square cells, in one frame.
   struct Neighbours
   {
+    Chosen chosen;
     Point lower;
     double size;
     std::array<int, 2> count;
     std::vector<std::uint32_t> start,
-        points; // of cell (i, j): points[start[k]] to points[start[k + 1]]
+        order; // of cell (i, j): chosen[order[start[k]]] to chosen[order[start[k + 1] - 1]]
 
-    Neighbours(const Solid &, Frame);
+    Neighbours(const Solid &, Frame, Chosen);
 
-    /// Call f(p) for all points of cells that touch the square of half side `reach` around x.
+    /// Call f(k) for all chosen[k] of cells that touch the square of half side `reach` around x.
     template <typename F>
     void near(const Point &x, const double reach, F &&f) const
     {
@@ -45,7 +51,7 @@ namespace solid
         {
           const std::size_t cell = static_cast<std::size_t>(j) * count[0] + i;
           for (std::uint32_t k = start[cell]; k < start[cell + 1]; ++k)
-            f(points[k]);
+            f(order[k]);
         }
     }
   };
@@ -56,11 +62,12 @@ namespace solid
     double value, dx, dy;
   };
   /// Weighted linear least squares over the points within two cells; exact for linear fields, to
-  /// the edge of the material. NaN if no point is within a cell or they lie on a line.
+  /// the edge of the material. NaN if no point is within a cell or they lie on a line. `field` is
+  /// of the chosen points.
   Fit fit(const Solid &, const Neighbours &, Frame, const std::vector<double> &field,
           const Point &at);
 
-  /// A quantity of scene/quantities.h at every point. log_strain is Hencky's, ln(F F^T)/2 with F
-  /// from fits of the displacement. Throws std::out_of_range for any other name.
-  std::vector<double> field(const Solid &, const std::string &name);
+  /// A quantity of scene/quantities.h at the chosen points. log_strain is Hencky's, ln(F F^T)/2
+  /// with F from fits of the displacement. Throws std::out_of_range for any other name.
+  std::vector<double> field(const Solid &, const std::string &name, const Chosen &);
 } // namespace solid

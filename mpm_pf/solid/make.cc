@@ -3,6 +3,7 @@
 
 #include "scene/geometry.h"
 #include "scene/reader.h"
+#include "scene/value.h"
 #include "solid/body.h"
 #include "solid/energy.h"
 #include "solid/ledger.h"
@@ -38,8 +39,8 @@ namespace solid
     {
       const Point dx = domain.spacing();
       if (std::abs(dx[0] - dx[1]) > 1e-9 * dx[0])
-        refuse(domain.place, "domain.cells gives cells of " + std::to_string(dx[0]) + " x " +
-                                 std::to_string(dx[1]) +
+        refuse(domain.place, "domain.cells gives cells of " + scene::number_text(dx[0]) + " x " +
+                                 scene::number_text(dx[1]) +
                                  "; material points need square ones: choose cells in the "
                                  "proportion of size");
       grid.lower = domain.lower, grid.dx = dx[0], grid.inverse_dx = 1. / dx[0];
@@ -90,7 +91,8 @@ namespace solid
     begin_account(solid);
     const scene::Box box = scene::bounding_box(scene.bodies);
     // A growing crystal has no size to divide; four cells is what its stresses are compared in.
-    solid.bin = scene.growth ? 4. * solid.grid.dx : (box.upper - box.lower)[0] / 20.;
+    solid.bin = scene.growth ? 4. * solid.grid.dx
+                             : std::max((box.upper - box.lower).minCoeff() / 20., solid.grid.dx);
     return owner;
   }
 

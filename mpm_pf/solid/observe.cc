@@ -29,26 +29,40 @@ namespace solid
     {
       double sum = 0., filled = 0.;
       neighbours.near(at, 0.5 * bin + solid.grid.dx,
-                      [&](const std::size_t p)
+                      [&](const std::size_t k)
                       {
+                        const std::size_t p = neighbours.chosen[k];
                         const Point x = position(solid, p, frame);
                         const double half = 0.5 * std::sqrt(area_of(solid, p, frame));
                         const double area = overlap(x[0], half, at[0], 0.5 * bin) *
                                             overlap(x[1], half, at[1], 0.5 * bin);
-                        sum += area * field[p], filled += area;
+                        sum += area * field[k], filled += area;
                       });
       return filled > 0.2 * bin * bin ? sum / filled : none;
+    }
+
+    /// What samples at these positions take into account: quantities are not computed elsewhere, so
+    /// that a point does not cost what a snapshot does.
+    Chosen near(const Solid &solid, const std::vector<Point> &positions, const Frame frame,
+                const double bin)
+    {
+      scene::Box box{positions.front(), positions.front()};
+      for (const Point &x : positions)
+        box.lower = box.lower.cwiseMin(x), box.upper = box.upper.cwiseMax(x);
+      const Point reach = Point::Constant(0.5 * bin + 2. * solid.grid.dx);
+      box.lower -= reach, box.upper += reach;
+      return points_in(solid, frame, box);
     }
 
     std::vector<double> sample(const Solid &solid, const std::vector<Point> &positions,
                                const Frame frame, const double bin,
                                const std::vector<std::string> &of)
     {
-      const Neighbours neighbours(solid, frame);
+      const Neighbours neighbours(solid, frame, near(solid, positions, frame, bin));
       std::vector<double> values(positions.size() * of.size());
       for (std::size_t k = 0; k < of.size(); ++k)
       {
-        const std::vector<double> values_of_points = field(solid, of[k]);
+        const std::vector<double> values_of_points = field(solid, of[k], neighbours.chosen);
         for (std::size_t m = 0; m < positions.size(); ++m)
           values[m * of.size() + k] =
               is_motion(of[k])
@@ -76,29 +90,32 @@ namespace solid
   std::vector<double> sample_point(const Solid &solid, const scene::PointProbe &probe,
                                    const std::vector<std::string> &of)
   {
-    return sample(solid, {probe.at}, probe.frame, solid.bin, of);
+    return sample(solid, {probe.at}, probe.frame, probe.bin.value_or(solid.bin), of);
   }
 
   std::vector<double> region_means(const Solid &solid, const scene::RegionProbe &probe,
                                    const std::vector<std::string> &of)
   {
     const double tolerance = 1e-9 * solid.grid.dx;
-    std::vector<double> weight(solid.points.size());
+    Chosen inside;
+    std::vector<double> weight;
     double area = 0.;
-    for (std::size_t p = 0; p < weight.size(); ++p)
+    for (std::size_t p = 0; p < solid.points.size(); ++p)
     {
       const Point X = position(solid, p, Frame::material);
-      const bool inside = !probe.box || scene::contains(*probe.box, *probe.box, X, tolerance);
-      weight[p] = inside ? area_of(solid, p, Frame::current) : 0.;
-      area += weight[p];
+      if (probe.box && !scene::contains(*probe.box, *probe.box, X, tolerance))
+        continue;
+      inside.push_back(static_cast<std::uint32_t>(p));
+      weight.push_back(area_of(solid, p, Frame::current));
+      area += weight.back();
     }
     std::vector<double> means;
     for (const std::string &name : of)
     {
-      const std::vector<double> values = field(solid, name);
+      const std::vector<double> values = field(solid, name, inside);
       double sum = 0.;
-      for (std::size_t p = 0; p < weight.size(); ++p)
-        sum += weight[p] > 0. ? weight[p] * values[p] : 0.;
+      for (std::size_t k = 0; k < weight.size(); ++k)
+        sum += weight[k] > 0. ? weight[k] * values[k] : 0.;
       means.push_back(!(area > 0.) ? none : name == "area" ? area : sum / area);
     }
     return means;
@@ -120,8 +137,9 @@ namespace solid
     std::vector<std::string> names = of;
     if (names.empty())
       names.assign(scene::solid_quantities.begin(), scene::solid_quantities.end());
+    const Chosen all = all_points(solid);
     for (const std::string &name : names)
-      taken.fields[name] = field(solid, name);
+      taken.fields[name] = field(solid, name, all);
     return taken;
   }
 } // namespace solid

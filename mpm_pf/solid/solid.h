@@ -85,7 +85,7 @@ namespace solid
   /// material is. In the material frame positions are initial ones.
   record::LineSample sample_line(const Solid &, const scene::LineProbe &,
                                  const std::vector<std::string> &of);
-  /// One row; as a line of one position.
+  /// One row; as a line of one position, and at the cost of the points round it.
   std::vector<double> sample_point(const Solid &, const scene::PointProbe &,
                                    const std::vector<std::string> &of);
   /// One row: means weighted with current area over all material or over that which started in the

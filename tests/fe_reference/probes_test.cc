@@ -115,6 +115,29 @@ TEST_P(Probes, BinAveragesOverCurrentAreaWhateverTheMesh)
   EXPECT_NEAR(sample.values[1], line.b[0], 1e-10);
 }
 
+TEST_P(Probes, APointAveragesOverItsBinAsALineDoes)
+{
+  Stretched s = stretched(GetParam());
+  fe::Snapshot body = fe::look(s.problem, s.outcome.last, s.outcome.last);
+  const fe::Discretisation &d = s.problem.mesh;
+  for (int cell = 0; cell < d.cells; ++cell)
+    for (int q = 0; q < d.points_per_cell; ++q)
+      body.points[cell * d.points_per_cell + q].plastic_strain =
+          fe::position_in(body, {cell, d.unit_point[q]}, scene::Frame::current)[0];
+  const fe::Point centre(1. + 0.375 * 1.5, 0.5);
+  scene::PointProbe point{centre, scene::Frame::current, 0.375};
+  EXPECT_NEAR(fe::sample_point(body, point, {"plastic_strain"}, 1.)[0], centre[0], 1e-10);
+  point.at[0] +=
+      0.4 * 0.375; // most of the square is elsewhere than the patch that holds its centre
+  const double here = fe::values_at(body, point.at, point.frame, {"plastic_strain"})[0];
+  const double mean = fe::sample_point(body, point, {"plastic_strain"}, 1.)[0];
+  EXPECT_LT(std::abs(mean - point.at[0]), 0.3 * 0.375) << "the centre";
+  point.bin.reset();
+  EXPECT_EQ(fe::sample_point(body, point, {"plastic_strain"}, 0.375)[0], mean) << "the default";
+  EXPECT_EQ(fe::sample_point(body, point, {"plastic_strain"}, 1e-9)[0], here)
+      << "a square that meets no sample";
+}
+
 TEST_P(Probes, RegionMeansAndOutlineAgreeOnTheArea)
 {
   const Stretched s = stretched(GetParam());

@@ -189,6 +189,7 @@ class Programs(unittest.TestCase):
         resource.prlimit(process.pid, resource.RLIMIT_FSIZE, (60000, 60000))
         text = process.communicate(timeout=600)[1]
         self.assertEqual(process.returncode, 3, text)
+        self.assertIn("disk full?", text)
         self.assertIn("repeat with", text)
         self.assertFalse(os.path.exists(self.path("full")), "an unfinished record has the final name")
 
@@ -207,6 +208,30 @@ class Programs(unittest.TestCase):
             for library in ("deal.II", "trilinos", "hdf5", "eigen") + (("gmsh",) if gmsh else ()):
                 self.assertRegex(named.get(library, ""), r"^[0-9]+\.[0-9]+", library)
             self.assertEqual("gmsh" in named, gmsh)
+
+    @unittest.skipUnless(shutil.which("mpirun"), "no mpirun here")
+    def test_trouble_of_the_process_that_writes_ends_both(self):
+        # The folder is taken away before a snapshot is due.
+        scene = self.scene(steps=3000)
+        process = subprocess.Popen(["mpirun", "--oversubscribe", "--bind-to", "none", "-np", "2",
+                                    *self.command(scene, "gone")], env=ENVIRONMENT, stdout=subprocess.DEVNULL,
+                                   stderr=subprocess.PIPE, text=True)
+        try:
+            while process.poll() is None and not os.path.exists(self.path("gone", "fe_reference.h5.part")):
+                time.sleep(0.01)
+            shutil.rmtree(os.path.join(self.folder, "gone"))
+            text = process.communicate(timeout=600)[1]
+        finally:
+            process.kill()
+        self.assertEqual(process.returncode, 3, text)
+        self.assertIn("fe_reference.h5.part", text)
+
+    def test_going_on_needs_a_checkpoint(self):
+        code, text = self.run_to_end(self.command(self.scene(), "fresh", "--resume"))
+        self.assertEqual(code, 2, text)
+        self.assertIn("no checkpoint", text)
+        self.assertIn("without --resume", text)
+        self.assertFalse(os.path.exists(os.path.join(self.folder, "fresh")))
 
     def test_bad_scene_ends_with_two_and_leaves_no_record(self):
         scene = self.scene(cells="-4, 8")

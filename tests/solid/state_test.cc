@@ -2,6 +2,7 @@
 
 #include "scene/reader.h"
 #include "small_scenes.h"
+#include "solid/fields.h"
 #include "solid/points.h"
 
 using scene::Edge;
@@ -136,6 +137,40 @@ TEST(Supports, AGripMovesItsMaterialRigidly)
   EXPECT_GT(force, 1000. / 0.91 * 0.01);
   EXPECT_LT(force, 1346. * 0.01);
   EXPECT_NEAR(solid::reaction(*specimen, "foot").force[1], -force, 0.01 * force);
+}
+
+// sxx grows with the height above the middle of a slender beam, by 1 per length.
+TEST(Observation, APointAveragesOverASquareOfItsSurroundings)
+{
+  scene::Scene scene = small::rectangle({0.5, 0.5}, {4., 0.4}, {5., 1.4}, {50, 14});
+  const solid::Owner beam = solid::make_solid(scene);
+  solid::Points &points = beam->points;
+  for (std::size_t p = 0; p < points.size(); ++p)
+    points.sxx[p] = points.y[p] - 0.7;
+  const auto at_the_top = [&](const std::optional<double> bin) {
+    return solid::sample_point(*beam, {{2.5, 0.9}, scene::Frame::material, bin}, {"stress_xx"})[0];
+  };
+  // Half of the square lies in the beam. Points stand for squares of a third of a cell, 0.033.
+  EXPECT_NEAR(at_the_top(0.2), 0.2 - 0.05, 0.2 * 0.033);
+  EXPECT_NEAR(at_the_top({}), 0.2 - 0.025, 0.2 * 0.033) << "a cell: 0.4/20 is less";
+  scene::LineProbe line{{2.4, 0.9}, {2.6, 0.9}, 3};
+  EXPECT_EQ(solid::sample_line(*beam, line, {"stress_xx"}).values[1], at_the_top({}));
+}
+
+TEST(Observation, IsTheSameOfSomePointsAsOfAll)
+{
+  scene::Scene scene = small::rectangle({1., 1.}, {1., 1.}, {3., 3.}, {15, 15});
+  scene.bodies[0].velocity[0] = small::text("0.3*sin(3*X)*Y");
+  const solid::Owner block = solid::make_solid(scene);
+  solid::advance(*block, 0.3);
+  const solid::Chosen all = solid::all_points(*block), some{7, 50, 51, 120};
+  for (const char *name : {"log_strain_xx", "displacement_x", "von_mises", "jacobian"})
+  {
+    const auto of_all = solid::field(*block, name, all), of_some = solid::field(*block, name, some);
+    ASSERT_EQ(of_some.size(), some.size());
+    for (std::size_t k = 0; k < some.size(); ++k)
+      EXPECT_NEAR(of_some[k], of_all[some[k]], 1e-13 * (1. + std::abs(of_all[some[k]]))) << name;
+  }
 }
 
 TEST(Observation, LineIsExactForLinearFieldsAndMissingOutside)
