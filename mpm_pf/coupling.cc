@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "medium/sums.h"
+#include "medium/trouble.h"
 #include "scene/value.h"
 #include "solid/growing.h"
 #include "solid/moving_walls.h"

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 #include <stdexcept>
 
 #include <omp.h>
 
 #include "medium/contour_pieces.h"
 #include "medium/contour_tiles.h"
-#include "scene/value.h"
 
 namespace medium
 {
@@ -233,9 +233,13 @@ namespace medium
         offset(mesh), tiles(mesh), close(mesh)
   {
     if (!(band_cells >= 3.))
-      throw std::invalid_argument("the band of the distance is " + scene::number_text(band_cells) +
-                                  " cells wide; it must be at least 3, because cells cut by the "
-                                  "contour and their neighbours need a distance");
+    {
+      std::ostringstream text;
+      text << "the band of the distance is " << band_cells
+           << " cells wide; it must be at least 3, because cells cut by the contour and their "
+              "neighbours need a distance";
+      throw std::invalid_argument(text.str());
+    }
   }
 
   template <class T>

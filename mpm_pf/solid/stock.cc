@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/value.h"
 #include "solid/body.h"
 #include "solid/energy.h"
 #include "solid/walls.h"
@@ -23,21 +24,23 @@ namespace solid
       const Points &points = solid.points;
       const Point lower = solid.domain.lower, upper = solid.domain.upper();
       const Point initial = solid.fraction.initial(points, p);
-      const std::string which = "the material point that started at (" +
-                                std::to_string(initial[0]) + ", " + std::to_string(initial[1]) +
-                                ") ";
+      const auto which = [&]
+      {
+        return "the material point that started at (" + scene::number_text(initial[0]) + ", " +
+               scene::number_text(initial[1]) + ") ";
+      };
       if (!std::isfinite(points.x[p] + points.y[p] + points.sxx[p] + points.syy[p]))
-        report(solid, which + "is no longer finite; take a smaller mpm.step_fraction", p);
+        report(solid, which() + "is no longer finite; take a smaller mpm.step_fraction", p);
       if (!(points.jacobian[p] > 0.))
         report(solid,
-               which + "is turned inside out; refine domain.cells or take a smaller "
-                       "mpm.step_fraction",
+               which() + "is turned inside out; refine domain.cells or take a smaller "
+                         "mpm.step_fraction",
                p);
       if (points.x[p] < lower[0] || points.x[p] > upper[0] || points.y[p] < lower[1] ||
           points.y[p] > upper[1])
-        report(solid, which + "has left the mesh; enlarge domain.size", p);
+        report(solid, which() + "has left the mesh; enlarge domain.size", p);
       if (!(std::hypot(points.vx[p], points.vy[p]) < 0.5 * solid.grid.dx / dt))
-        report(solid, which + "crosses half a cell in one step; take a smaller mpm.step_fraction",
+        report(solid, which() + "crosses half a cell in one step; take a smaller mpm.step_fraction",
                p);
     }
 
@@ -91,11 +94,16 @@ namespace solid
   void take_stock(Solid &solid, const double dt)
   {
     double kinetic = 0., speed2 = 0.;
+    // A block names the first of its bad points, which may have been mended by a wall alone.
+    if (std::any_of(solid.shares.begin(), solid.shares.end(),
+                    [](const Share &share) { return share.bad >= 0; }))
+    {
+      stop_at_walls(solid, solid.time);
+      for (std::size_t p = 0; p < solid.points.size(); ++p)
+        check_point(solid, p, dt);
+    }
     for (const Share &share : solid.shares)
     {
-      if (share.bad >= 0)
-        stop_at_walls(solid, solid.time),
-            check_point(solid, static_cast<std::size_t>(share.bad), dt);
       kinetic += share.kinetic, solid.energy.dissipated += share.dissipated;
       speed2 = std::max(speed2, share.largest_speed2);
     }

@@ -6,6 +6,7 @@
 
 #include "grown_scene.h"
 #include "solid/energy.h"
+#include "solid/stock.h"
 #include "solid/walls.h"
 
 namespace
@@ -90,6 +91,31 @@ namespace
     return solid.material.young / (1. - solid.material.poisson * solid.material.poisson);
   }
 } // namespace
+
+// A block of points names the first that went wrong. A wall mends that one, not those behind it.
+TEST(Walls, MendOnePointAndHideNoOther)
+{
+  Press press(block(scene::WallGrip::slip));
+  Solid &solid = press.solid;
+  solid.shares.assign(1, Share{});
+  solid.shares[0].bad = 0;
+  solid.points.y[0] = 2. + 0.1 * dx;
+  const double dt = 0.1 * dx / solid.material.wave_speed();
+  EXPECT_NO_THROW(take_stock(solid, dt));
+  EXPECT_LT(solid.points.y[0], 2.);
+  solid.points.y[0] = 2. + 0.1 * dx;
+  solid.points.vx[5] = dx / dt;
+  try
+  {
+    take_stock(solid, dt);
+    FAIL() << "it went on";
+  }
+  catch (const Trouble &trouble)
+  {
+    EXPECT_NE(std::string(trouble.what()).find("crosses half a cell"), std::string::npos)
+        << trouble.what();
+  }
+}
 
 TEST(Walls, SlippingOnesPressABlockUniformly)
 {
