@@ -119,10 +119,10 @@ namespace
 
   void Session::open(const bool resume)
   {
-    std::filesystem::create_directories(command.output);
     const auto provenance = record::collect("mpm_pf", command.joined, command.threads);
-    if (!resume || !std::filesystem::exists(checkpoint_path(command)))
+    if (!resume)
     {
+      std::filesystem::create_directories(command.output);
       writer.emplace(command.record_path(), provenance, scene, command.force);
       forget_checkpoint(); // its record is no more
       recorder.emplace(scene, *writer);
@@ -209,9 +209,9 @@ namespace
     std::ostringstream text;
     text << "stopped after step " << world.steps << " at time " << world.time << ": " << what;
     std::cerr << "mpm_pf: " << text.str() << "\nWhat could be recorded is in "
-              << command.record_path()
-              << ".part; remove the cause and go on with --resume, which starts "
-              << (saved ? "from the last checkpoint" : "anew")
+              << command.record_path() << ".part; remove the cause and "
+              << (saved ? "go on with --resume, from the last checkpoint"
+                        : "start anew, without --resume: there is no checkpoint yet")
               << ".\nrepeat with: " << command.joined << '\n';
     try
     {

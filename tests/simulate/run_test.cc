@@ -156,13 +156,30 @@ TEST(StoppedRun, IsNoBadInputAndGoesOnWhenTheCauseIsGone)
   const Ended end = ended(scene, command, [&] { return ++looks > 12; });
   EXPECT_EQ(end.code, record::numerical_trouble);
   EXPECT_TRUE(says(end.said, "stopped after step 12 at time 0.12: cannot write")) << end.said;
-  EXPECT_TRUE(says(end.said, "--resume")) << end.said;
+  EXPECT_TRUE(says(end.said, "start anew, without --resume")) << end.said;
   const auto reason = record::Reader(command.record_path() + ".part").attribute("stopped_by");
   EXPECT_TRUE(says(reason, "cannot write")) << reason;
   std::filesystem::remove(obstacle);
-  command.resume = true;
   EXPECT_EQ(ended(scene, command).code, record::all_right);
   EXPECT_EQ(record::Reader(command.record_path()).table("energy").time.size(), 101u);
+}
+
+TEST(ResumedRun, NeedsACheckpoint)
+{
+  const Folder folder;
+  auto command = command_for(folder);
+  command.resume = true;
+  try
+  {
+    run(scene_of(folder, thrown + watched), command, [] { return false; });
+    FAIL() << "it started";
+  }
+  catch (const std::runtime_error &error)
+  {
+    EXPECT_TRUE(says(error.what(), "no checkpoint")) << error.what();
+    EXPECT_TRUE(says(error.what(), "start without --resume")) << error.what();
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder / "out"));
 }
 
 TEST(Run, SaysWhatItIsAboutToDo)
