@@ -109,16 +109,19 @@ std::string warning_on_energy(const World &world)
 {
   if (!world.solid)
     return {};
-  const double missing = solid::missing_energy(*world.solid);
+  const auto [transfer, unaccounted] = solid::lost_energy(*world.solid);
+  const double missing = transfer + unaccounted;
   if (std::abs(missing) <= 0.1)
     return {};
   const std::string share = percent(std::abs(missing));
   if (missing < 0.)
     return share + " more energy is in the solid than it was ever given: its motion is not to be "
                    "trusted; take a smaller mpm.step_fraction or refine domain.cells";
-  return share + " of the energy that the solid was given is lost to the transfers between points "
-                 "and grid: what swings or rings dies away, and a force may be off; refine "
-                 "domain.cells and compare";
+  return share + " of the energy that the solid was given is lost: " + percent(transfer) +
+         " by the numerical dissipation of the transfers between points and grid, " +
+         percent(unaccounted) +
+         " unaccounted for; what swings or rings dies away, and a force may be off; refine "
+         "domain.cells and compare";
 }
 
 std::string warning_on_idle_walls(const World &world)

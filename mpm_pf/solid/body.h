@@ -15,10 +15,12 @@ namespace solid
 
   struct Energy
   {
-    double start = 0.;      // kinetic and elastic, at the start and with what growth has added
-    double kinetic = 0.;    // now
-    double dissipated = 0.; // by plastic flow since the start
-    double largest = 0.;    // start and work so far, when that was most
+    double start = 0.;         // kinetic and elastic, at the start and with what growth has added
+    double kinetic = 0.;       // now
+    double dissipated = 0.;    // by plastic flow since the start
+    double largest = 0.;       // start and work so far, when that was most
+    double strained = 0.;      // work of the stresses on the strains since the start
+    double elastic_start = 0.; // the elastic part of `start`
   };
 
   struct Timer

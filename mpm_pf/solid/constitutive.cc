@@ -26,8 +26,8 @@ namespace solid
       const Flow flow = step.flow;
       const double dt = step.dt, inverse_density = step.inverse_density;
       const double relaxation = step.relaxation;
-      double dissipated = 0., wrong = 0.;
-#pragma omp simd reduction(+ : dissipated, wrong)
+      double dissipated = 0., strained = 0., wrong = 0.;
+#pragma omp simd reduction(+ : dissipated, strained, wrong)
       for (std::size_t k = 0; k < count; ++k)
       {
         const Increment e = increment(lxx[k], lxy[k], lyx[k], lyy[k], dt);
@@ -45,15 +45,17 @@ namespace solid
         const double stretched =
             jacobian[k] * (1. + volumetric * (1. + volumetric * (0.5 + volumetric * (1. / 6.))));
         jacobian[k] = stretched;
+        const double volume = mass[k] * inverse_density * stretched;
+        strained += volume * to.work;
         if constexpr (plastic)
         {
           strain[k] += to.plastic;
-          dissipated += mass[k] * inverse_density * stretched * to.dissipated;
+          dissipated += volume * to.dissipated;
         }
         const double zero = (to.stress.xx - to.stress.xx) + (to.stress.yy - to.stress.yy);
         wrong += (stretched > 0.) & (zero == 0.) ? 0. : 1.;
       }
-      share.dissipated += dissipated;
+      share.dissipated += dissipated, share.strained += strained;
       return wrong == 0.;
     }
 

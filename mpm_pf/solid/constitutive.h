@@ -15,6 +15,7 @@ namespace solid
   struct Share
   {
     double kinetic = 0., dissipated = 0.; // after the step; over the step
+    double strained = 0.;                 // work of the stresses on the strains over the step
     double largest_speed2 = 0.;
     std::ptrdiff_t bad = -1; // first point that is lost, turned inside out or not finite
   };

@@ -69,28 +69,40 @@ namespace solid
     solid.speed = 0.;
     for (std::size_t p = 0; p < points.size(); ++p)
       solid.speed = std::max(solid.speed, std::hypot(points.vx[p], points.vy[p]));
-    solid.energy.start = solid.energy.largest = kinetic_energy(solid) + elastic_energy(solid);
+    solid.energy.elastic_start = elastic_energy(solid);
+    solid.energy.start = solid.energy.largest = kinetic_energy(solid) + solid.energy.elastic_start;
   }
 
   namespace
   {
-    // What came in and is nowhere any more.
-    double balance(const Solid &solid, const double kinetic, const double elastic)
+    // What came in and neither moves the points nor has strained them.
+    double transfer_loss(const Solid &solid, const double kinetic)
     {
-      return solid.supports.work + solid.loads.work + solid.energy.start - kinetic - elastic -
+      const Energy &energy = solid.energy;
+      return solid.supports.work + solid.loads.work + (energy.start - energy.elastic_start) -
+             kinetic - energy.strained;
+    }
+
+    // What has strained them and is nowhere any more.
+    double balance(const Solid &solid, const double elastic)
+    {
+      return solid.energy.strained - (elastic - solid.energy.elastic_start) -
              solid.energy.dissipated;
     }
   } // namespace
 
-  double energy_balance(const Solid &solid)
-  {
-    return balance(solid, kinetic_energy(solid), elastic_energy(solid));
-  }
-
   double missing_energy(const Solid &solid)
   {
+    return transfer_loss(solid, kinetic_energy(solid)) + balance(solid, elastic_energy(solid));
+  }
+
+  LostEnergy lost_energy(const Solid &solid)
+  {
     const double largest = solid.energy.largest;
-    return largest > 0. ? energy_balance(solid) / largest : 0.;
+    if (!(largest > 0.))
+      return {};
+    return {transfer_loss(solid, kinetic_energy(solid)) / largest,
+            balance(solid, elastic_energy(solid)) / largest};
   }
 
   History history(const Solid &solid)
@@ -101,18 +113,20 @@ namespace solid
     const Point p = momentum(solid);
     History history;
     using scene::Dimension;
-    history.names = {"kinetic_energy", "elastic_energy", "plastic_dissipation", "external_work",
-                     "energy_balance", "momentum_x",     "momentum_y",          "area",
+    history.names = {"kinetic_energy", "elastic_energy", "plastic_dissipation",
+                     "external_work",  "transfer_loss",  "energy_balance",
+                     "momentum_x",     "momentum_y",     "area",
                      "mass",           "largest_speed",  "kinetic_to_internal"};
-    history.dimensions = {Dimension::energy,   Dimension::energy, Dimension::energy,
-                          Dimension::energy,   Dimension::energy, Dimension::momentum,
-                          Dimension::momentum, Dimension::area,   Dimension::mass,
-                          Dimension::speed,    Dimension::none};
+    history.dimensions = {Dimension::energy,   Dimension::energy,   Dimension::energy,
+                          Dimension::energy,   Dimension::energy,   Dimension::energy,
+                          Dimension::momentum, Dimension::momentum, Dimension::area,
+                          Dimension::mass,     Dimension::speed,    Dimension::none};
     history.row = {kinetic,
                    elastic,
                    solid.energy.dissipated,
                    work,
-                   balance(solid, kinetic, elastic),
+                   transfer_loss(solid, kinetic),
+                   balance(solid, elastic),
                    p[0],
                    p[1],
                    area(solid),

@@ -13,14 +13,13 @@ namespace solid
       return 0.5 * points.mass[p] * (points.vx[p] * points.vx[p] + points.vy[p] * points.vy[p]);
     }
 
-    double energy_of(const Solid &solid, const std::size_t k)
+    double elastic_energy_of(const Solid &solid, const std::size_t k)
     {
       const Points &points = solid.points;
       const Stress s{points.sxx[k], points.syy[k], points.szz[k], points.sxy[k]};
       const double q = von_mises(s), p = pressure(s);
-      return kinetic_energy_of(points, k) +
-             points.mass[k] / solid.material.density * points.jacobian[k] *
-                 (q * q / (6. * solid.material.shear) + 0.5 * p * p / solid.material.bulk);
+      return points.mass[k] / solid.material.density * points.jacobian[k] *
+             (q * q / (6. * solid.material.shear) + 0.5 * p * p / solid.material.bulk);
     }
 
     // A new point moves with the solid around it; what that brings in is no work of supports.
@@ -191,7 +190,9 @@ namespace solid
           debt.value += area;
           gone[p] = 1, more = debt.value < 0.;
           removed.push_back(p);
-          solid.energy.start -= energy_of(solid, p);
+          const double elastic = elastic_energy_of(solid, p);
+          solid.energy.start -= kinetic_energy_of(solid.points, p) + elastic;
+          solid.energy.elastic_start -= elastic;
           growing.ledger.removed += area, ++growing.ledger.removed_points;
         }
       }

@@ -108,8 +108,10 @@ namespace solid
   Reaction reaction(const Solid &, const std::string &support);
 
   /// Columns for a HistoryProbe, always in the same order: kinetic_energy, elastic_energy,
-  /// plastic_dissipation, external_work, energy_balance (work + start - the three before),
-  /// momentum_x, momentum_y, area, mass, largest_speed, kinetic_to_internal.
+  /// plastic_dissipation, external_work, transfer_loss (numerical dissipation of the transfers
+  /// between points and grid), energy_balance (what is unaccounted for: work + start - kinetic -
+  /// elastic - dissipated - lost by transfers), momentum_x, momentum_y, area, mass, largest_speed,
+  /// kinetic_to_internal.
   struct History
   {
     std::vector<std::string> names;
@@ -117,8 +119,13 @@ namespace solid
     std::vector<double> row;
   };
   History history(const Solid &);
-  /// energy_balance as a part of the largest sum of start and |external_work| so far.
-  double missing_energy(const Solid &);
+  /// transfer_loss and energy_balance as parts of the largest sum of start and |external_work| so
+  /// far.
+  struct LostEnergy
+  {
+    double transfer = 0., unaccounted = 0.;
+  };
+  LostEnergy lost_energy(const Solid &);
 
   // --- going on later
   // ------------------------------------------------------------------------------

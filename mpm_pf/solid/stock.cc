@@ -83,7 +83,7 @@ namespace solid
     {
       constexpr long steps_between = 32;
       if (solid.steps % steps_between == 0 &&
-          -energy_balance(solid) > solid.energy.largest + rounding(solid))
+          -missing_energy(solid) > solid.energy.largest + rounding(solid))
         report(solid,
                "the energy of motion and stress exceeds twice all that was ever put in; refine "
                "domain.cells, give more mpm.points_per_cell or take a smaller mpm.step_fraction",
@@ -105,6 +105,7 @@ namespace solid
     for (const Share &share : solid.shares)
     {
       kinetic += share.kinetic, solid.energy.dissipated += share.dissipated;
+      solid.energy.strained += share.strained;
       speed2 = std::max(speed2, share.largest_speed2);
     }
     solid.energy.kinetic = kinetic;

@@ -75,6 +75,7 @@ namespace solid
     Stress stress;
     double plastic;    // increment of equivalent plastic strain
     double dissipated; // per current volume
+    double work;       // of the mean stress on the strain, per current volume
   };
 
   /// One step; `volumetric` is the increment of volume strain that drives the pressure.
@@ -89,8 +90,13 @@ namespace solid
     double xx = s.xx - mean + two_g * (e.xx - third), yy = s.yy - mean + two_g * (e.yy - third);
     double xy = s.xy + two_g * e.xy, zz = -(xx + yy);
     const double p = mean + flow.bulk * volumetric;
+    const auto work = [&](const Stress &to)
+    { return 0.5 * ((to.xx + s.xx) * e.xx + (to.yy + s.yy) * e.yy) + (to.xy + s.xy) * e.xy; };
     if constexpr (!plastic)
-      return {{xx + p, yy + p, zz + p, xy}, 0., 0.};
+    {
+      const Stress to{xx + p, yy + p, zz + p, xy};
+      return {to, 0., 0., work(to)};
+    }
     const double q2 = 1.5 * (xx * xx + yy * yy + zz * zz) + 3. * xy * xy;
     const double q = std::sqrt(std::max(q2, 1e-300));
     const double compliance = 1. / (3. * flow.shear + flow.viscosity_rate); // once for all points
@@ -98,6 +104,7 @@ namespace solid
     const double gamma = over * compliance;                                 // Eq. (6), closed form
     const double keep = 1. - 3. * flow.shear * gamma / q;                   // Eq. (5), along s
     xx *= keep, yy *= keep, zz *= keep, xy *= keep;
-    return {{xx + p, yy + p, zz + p, xy}, gamma, gamma * q * keep};
+    const Stress to{xx + p, yy + p, zz + p, xy};
+    return {to, gamma, gamma * q * keep, work(to)};
   }
 } // namespace solid

@@ -141,6 +141,7 @@ TEST(Absent, HeatCostsAMarkerNothing)
     EXPECT_EQ(it.calls(module), 0) << module;
   EXPECT_FALSE(it.has_column("theta_mean"));
   EXPECT_FALSE(it.has_column("active_tiles"));
+  EXPECT_FALSE(it.has_column("carried_phase"));
   EXPECT_TRUE(it.has_column("solid_area"));
   EXPECT_EQ(it.calls("advection"), 3);
   EXPECT_EQ(it.calls("imposed motion"), 3);
@@ -155,6 +156,7 @@ TEST(Absent, PhaseCostsHeatAloneNothing)
   EXPECT_EQ(it.calls("growth"), 0);
   EXPECT_EQ(it.calls("heat"), 3);
   EXPECT_FALSE(it.has_column("solid_area"));
+  EXPECT_FALSE(it.has_column("carried_heat"));
 }
 
 TEST(Absent, WhatIsThereIsCounted)
@@ -175,7 +177,8 @@ namespace
                                  "heat_content"};
   const char *const of_walls[] = {"compression", "swept_heat", "wall_top_position"};
   const char *const of_solid[] = {"kinetic_energy", "elastic_energy", "plastic_dissipation",
-                                  "external_work",  "energy_balance", "momentum_x"};
+                                  "external_work",  "transfer_loss",  "energy_balance",
+                                  "momentum_x"};
   const char *const of_both[] = {"inertia_travel", "inertia_compression", "force_imbalance"};
   const char *const of_growing_solid[] = {"grown_area", "melted_area", "owed_area", "area_drift"};
 

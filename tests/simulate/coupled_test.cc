@@ -205,7 +205,8 @@ TEST(Coupled, ACrystalWithoutWallsStartsWithItsBodysVelocity)
   { return row.row[std::find(row.names.begin(), row.names.end(), name) - row.names.begin()]; };
   EXPECT_NEAR(value("momentum_x"), 0.1 * value("mass"), 1e-3 * value("mass"));
   EXPECT_NEAR(value("momentum_y"), 0., 1e-3 * value("mass"));
-  EXPECT_NEAR(value("energy_balance"), 0., 0.01 * value("kinetic_energy"));
+  EXPECT_NEAR(value("transfer_loss"), 0., 0.01 * value("kinetic_energy"));
+  EXPECT_NEAR(value("energy_balance"), 0., 0.001 * value("kinetic_energy"));
   double x = 0., area = 0.;
   for (int j = 0; j < world.mesh->nodes[1]; ++j)
     for (int i = 0; i < world.mesh->nodes[0]; ++i)
@@ -224,8 +225,9 @@ TEST(Coupled, ACrystalWithoutWallsStartsWithItsBodysVelocity)
 }
 
 // What the walls sweep and what advection, which is no flux, adds to the integrals is booked; what
-// is left is constant. Without the latter it drifts by 1 % here.
-TEST(Coupled, HeatIsKeptToRoundingWhileTheCrystalIsPressed)
+// is left is constant. Of the walls' work the transfers take some per cent; but for what relaxed
+// pressures take, half a per cent, the rest is found again.
+TEST(Coupled, HeatAndEnergyAreKeptWhileTheCrystalIsPressed)
 {
   const scene::Scene scene = pressed_seed();
   World world = build_world(scene, 1);
@@ -239,10 +241,13 @@ TEST(Coupled, HeatIsKeptToRoundingWhileTheCrystalIsPressed)
            (booked ? value("carried_heat") - 0.5 * value("carried_phase") : 0.);
   };
   const double start = kept(true);
-  go(world, 120);
-  ASSERT_TRUE(world.melt_moves);
+  while (medium::compression(*world.walls) < 0.05)
+    go(world, 1);
   EXPECT_GT(std::abs(kept(false) - start), 1e-3 * std::abs(start));
   EXPECT_NEAR(kept(true), start, 1e-10 * std::abs(start));
+  const solid::LostEnergy lost = solid::lost_energy(*world.solid);
+  EXPECT_GT(lost.transfer, 0.02);
+  EXPECT_LT(std::abs(lost.unaccounted), 0.01);
 }
 
 TEST(Coupled, AWallThatNeverStartedIsSaid)
