@@ -12,7 +12,7 @@
 #include "record/checkpoint.h"
 #include "record/reader.h"
 #include "record/writer.h"
-#include "scratch.h"
+#include "../scratch.h"
 
 namespace
 {

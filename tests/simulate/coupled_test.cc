@@ -1,10 +1,9 @@
 // The coupled program as a whole: a seed that grows up to a wall and is pressed by it.
 #include <algorithm>
-#include <filesystem>
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
+#include "../scratch.h"
 #include "accounts.h"
 #include "coupling.h"
 #include "forecast.h"
@@ -89,8 +88,8 @@ TEST(Coupled, TheReactionOfAWallTellsHowFarItWentBeforeItTouches)
   push.name = "push", push.kind = scene::ReactionProbe{"wall top"}, push.every = 0.5;
   scene.probes = {push};
   scene.clock.end = 2.;
-  const std::string path =
-      ::testing::TempDir() + "wall_reaction_" + std::to_string(getpid()) + ".h5";
+  const Scratch scratch;
+  const std::string path = scratch / "wall.h5";
   {
     World world = build_world(scene, 1);
     record::Writer writer(path, {}, scene, true);
@@ -106,7 +105,6 @@ TEST(Coupled, TheReactionOfAWallTellsHowFarItWentBeforeItTouches)
   ASSERT_EQ(table.time.size(), 5u);
   for (std::size_t k = 0; k < table.time.size(); ++k)
     EXPECT_NEAR(table.rows[k][column], -0.2 * table.time[k], 1e-12);
-  std::filesystem::remove(path);
 }
 
 TEST(Forecast, IsMadeOfAStepThatIsForced)
