@@ -34,6 +34,7 @@ namespace
     square.phase_field = asked.phase_field;
     square.growth = asked.growth;
     square.growth->tiles = false;
+    square.growth->step.reset(); // one past its limit, forced, costs no more than another
     square.heat = asked.heat;
     if (square.heat)
       square.heat->initial.reset();
