@@ -219,6 +219,7 @@ class Programs(unittest.TestCase):
         try:
             while process.poll() is None and not os.path.exists(self.path("gone", "fe_reference.h5.part")):
                 time.sleep(0.01)
+            time.sleep(1.0)  # until the file is not only made but opened: before that it would be bad input
             shutil.rmtree(os.path.join(self.folder, "gone"))
             text = process.communicate(timeout=600)[1]
         finally:

@@ -30,7 +30,7 @@ TEST(Energy, ThatIsLostIsTold)
   EXPECT_NE(warning_on_energy(world).find("of the energy that the solid was given is lost"),
             std::string::npos)
       << solid::lost_energy(*world.solid).transfer;
-  EXPECT_LT(std::abs(solid::lost_energy(*world.solid).unaccounted), 0.01);
+  EXPECT_LT(std::abs(solid::lost_energy(*world.solid).unaccounted), 0.005);
   EXPECT_NE(warning_on_energy(world).find("dissipation of the transfers"), std::string::npos);
 }
 

@@ -62,7 +62,7 @@ namespace
     solid::advance(*beam, period);
     const double first = total_energy(*beam), unaccounted = value(*beam, "energy_balance");
     solid::advance(*beam, period);
-    EXPECT_LT(std::abs(value(*beam, "energy_balance") - unaccounted), 1e-4 * first);
+    EXPECT_LT(std::abs(value(*beam, "energy_balance") - unaccounted), 2e-6 * first);
     return 1. - total_energy(*beam) / first;
   }
 } // namespace
