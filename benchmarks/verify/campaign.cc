@@ -9,6 +9,7 @@
 #include <sstream>
 #include <thread>
 
+#include <boost/algorithm/string/replace.hpp>
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
@@ -29,11 +30,8 @@ namespace verify
     {
       for (const auto &run : needs)
       {
-        const std::string mark = "{" + run + "}";
         const std::string record = fs::absolute(folder + "/" + run + ".h5").string();
-        for (auto at = setting.find(mark); at != std::string::npos; // a folder may hold the mark
-             at = setting.find(mark, at + record.size()))
-          setting.replace(at, mark.size(), record);
+        boost::algorithm::replace_all(setting, "{" + run + "}", record); // a folder may hold it
       }
       return setting;
     }

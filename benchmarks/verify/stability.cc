@@ -131,8 +131,7 @@ namespace verify
             says_nothing(result["maps"].back()) || !result["maps"].back()["broken"].empty() ? 1 : 0;
         cells += static_cast<int>(result["maps"].back()["cells"].size());
       }
-      write_text(options.output + "/stability/" + name + ".json",
-                 result.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+      write_text(options.output + "/stability/" + name + ".json", json_text(result));
     }
     fmt::print("\n{} cells in {}/stability\n", cells, options.output);
     if (cells > 0)

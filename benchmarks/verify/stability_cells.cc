@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <sstream>
 
+#include <boost/algorithm/string/replace.hpp>
 #include <fmt/format.h>
 
 #include "curve.h"
@@ -14,14 +15,6 @@ namespace verify
   namespace fs = std::filesystem;
   namespace
   {
-    std::string with_word(std::string setting, const std::string &mark, const std::string &word)
-    {
-      for (auto at = setting.find(mark); at != std::string::npos; // a word may hold the mark itself
-           at = setting.find(mark, at + word.size()))
-        setting.replace(at, mark.size(), word);
-      return setting;
-    }
-
     void add_axis(Constants &constants, const std::string &name, const Axis &axis,
                   const std::string &value)
     {
@@ -36,10 +29,11 @@ namespace verify
 
   std::string with_value(std::string setting, const std::string &value)
   {
-    setting = with_word(setting, "{value}", value == absent_value ? "" : value);
+    using boost::algorithm::replace_all; // goes on behind the word, which may hold the mark itself
+    replace_all(setting, "{value}", value == absent_value ? "" : value);
     int k = 0;
     for (const auto &entry : entries_of(value))
-      setting = with_word(setting, fmt::format("{{{}}}", k++), entry);
+      replace_all(setting, fmt::format("{{{}}}", k++), entry);
     return setting;
   }
 

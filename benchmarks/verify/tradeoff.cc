@@ -241,7 +241,7 @@ namespace verify
     result.update(measure_rows(trade, jobs, outcomes, costs,
                                runs + "/" + name + "/" + scene_stem(trade.c.suite)));
     const std::string file = options.output + "/tradeoff/" + name + ".json";
-    write_text(file, result.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+    write_text(file, json_text(result));
     print_rows(result);
     fmt::print("{} rows in {}\n", trade.rows.size(), file);
     report(places, options.output);
