@@ -86,6 +86,19 @@ namespace fe
       return bins;
     }
 
+    /// Missing outside the body and in folded cells.
+    std::vector<double> values_in(const Snapshot &body, const std::optional<Location> &at,
+                                  const std::vector<std::string> &names)
+    {
+      if (!at || body.folded[at->cell])
+        return std::vector<double>(names.size(), missing);
+      const int point = patch_of(body.problem.mesh, at->unit);
+      std::vector<double> values;
+      for (const Quantity of : functions(names))
+        values.push_back(of(body.problem.material, sample_at(body, *at, point, missing)));
+      return values;
+    }
+
     /// Values of `names` at each of some positions on a straight line.
     std::vector<double> sample(const Snapshot &body, const std::vector<Point> &positions,
                                const scene::Frame frame, const std::vector<std::string> &names,
@@ -96,11 +109,11 @@ namespace fe
       std::vector<double> values;
       for (std::size_t k = 0; k < positions.size(); ++k)
       {
-        const std::vector<double> here = values_at(body, positions[k], frame, names);
-        const bool outside = !locate_material(body, positions[k], frame).has_value();
+        const std::optional<Location> at = locate_material(body, positions[k], frame);
+        const std::vector<double> here = values_in(body, at, names);
         for (std::size_t n = 0; n < names.size(); ++n)
           if (is_binned(names[n]) && !bins.area.empty() && bins.area[k] > 0.)
-            values.push_back(outside ? missing : bins.sums[k * names.size() + n] / bins.area[k]);
+            values.push_back(!at ? missing : bins.sums[k * names.size() + n] / bins.area[k]);
           else
             values.push_back(here[n]);
       }
@@ -129,14 +142,7 @@ namespace fe
   std::vector<double> values_at(const Snapshot &body, const Point &x, const scene::Frame frame,
                                 const std::vector<std::string> &names)
   {
-    const std::optional<Location> at = locate_material(body, x, frame);
-    if (!at || body.folded[at->cell])
-      return std::vector<double>(names.size(), missing);
-    const int point = patch_of(body.problem.mesh, at->unit);
-    std::vector<double> values;
-    for (const Quantity of : functions(names))
-      values.push_back(of(body.problem.material, sample_at(body, *at, point, missing)));
-    return values;
+    return values_in(body, locate_material(body, x, frame), names);
   }
 
   record::LineSample sample_line(const Snapshot &body, const scene::LineProbe &line,
