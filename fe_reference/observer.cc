@@ -74,9 +74,7 @@ namespace fe
     const Discretisation &d = problem.mesh;
     const std::vector<int> &piece = problem.supports.piece;
     several_pieces = std::count(piece.begin(), piece.end(), piece.front()) < d.nodes;
-    const scene::Box box = scene::bounding_box(scene.bodies);
-    default_bin = std::max((box.upper - box.lower).minCoeff() / 20.,
-                           scene.domain.spacing().maxCoeff()); // as the manual of `bin` says
+    default_bin = scene::default_bin(scene);
     const auto watch = [this](const scene::Probe &probe)
     {
       watches.push_back({&probe, scene::sample_times(probe, scene.clock.end), false});

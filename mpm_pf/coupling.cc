@@ -207,7 +207,7 @@ namespace
   /// of the scheme, advection changes the integral of f. In a scene with heat that is booked.
   void advect(World &w, CarriedField &field, const double dt)
   {
-    const medium::Cuts cuts = w.walls ? w.walls->cuts : medium::Cuts{};
+    const medium::Cuts cuts = cuts_of(w);
     const auto integral = [&]
     { return w.mesh->spacing.prod() * medium::weighted_sum(field.value, *w.mesh, cuts); };
     const double before = w.heat ? integral() : 0.;

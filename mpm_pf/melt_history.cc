@@ -68,11 +68,6 @@ namespace
                        : medium::extent(*world.mesh);
   }
 
-  medium::Cuts cuts_of(const World &world)
-  {
-    return world.walls ? world.walls->cuts : medium::Cuts{};
-  }
-
   /// Integral of theta - phi/2 over the domain, or what the walls have left of it.
   double heat_content(const World &world)
   {

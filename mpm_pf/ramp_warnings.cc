@@ -7,6 +7,7 @@
 
 #include "inertia.h"
 #include "scene/geometry.h"
+#include "scene/quasi_static.h"
 
 namespace
 {
@@ -84,13 +85,6 @@ namespace
     return speeds;
   }
 
-  bool moves(const scene::Support &support)
-  {
-    return std::any_of(support.displacement.begin(), support.displacement.end(),
-                       [](const auto &component)
-                       { return component && scene::Function(*component).depends_on_time(); });
-  }
-
   /// Nothing of the bodies is left free for a wave to run in.
   bool takes_all(const scene::Support &support, const scene::Box &box)
   {
@@ -121,7 +115,7 @@ std::string warning_on_support_ramps(const World &world)
   const scene::Box box = scene::bounding_box(scene.bodies);
   std::vector<const scene::Support *> driven;
   for (const scene::Support &support : scene.supports)
-    if (moves(support) && !takes_all(support, box))
+    if (scene::is_driven(support) && !takes_all(support, box))
       driven.push_back(&support);
   // Where both ends are driven, the middle is what a wave from either comes to.
   const double length = (box.upper - box.lower).maxCoeff() / (driven.size() > 1 ? 2. : 1.);

@@ -198,6 +198,11 @@ double carried_fraction(const scene::Scene &scene)
   return scene.advection.value_or(scene::Advection{}).step_fraction;
 }
 
+medium::Cuts cuts_of(const World &world)
+{
+  return world.walls ? world.walls->cuts : medium::Cuts{};
+}
+
 double growth_step(const World &world)
 {
   const auto &growth = world.scene->growth;

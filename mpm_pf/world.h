@@ -71,6 +71,9 @@ double coupling_step(const World &);
 /// Cells that a motion may cross per coupling step and axis: the scene's choice or its default.
 double carried_fraction(const scene::Scene &);
 
+/// What the walls have left of the domain: all of it, if there are none.
+medium::Cuts cuts_of(const World &);
+
 /// Explicit growth step of the scene: its own choice, or its fraction of the limit. Time.
 double growth_step(const World &);
 

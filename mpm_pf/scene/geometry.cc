@@ -139,6 +139,15 @@ namespace scene
     return 0.5 * twice;
   }
 
+  double default_bin(const Scene &scene)
+  {
+    const double cell = scene.domain.spacing().maxCoeff();
+    if (scene.growth) // a crystal has no size to divide; its stresses are compared in four cells
+      return 4. * cell;
+    const Box box = bounding_box(scene.bodies);
+    return std::max((box.upper - box.lower).minCoeff() / 20., cell);
+  }
+
   double distance_to_segment(const Point &p, const Point &a, const Point &b)
   {
     return (p - a - along_segment(p, a, b) * (b - a)).norm();

@@ -43,6 +43,10 @@ namespace scene
   /// Is that side a symmetry side, and do bodies in the box reach over it by more than `by`?
   bool reaches_over_symmetry(const Domain &, Edge, const Box &bodies, double by);
 
+  /// Side of the squares in which stresses are averaged where a probe names none: it is part of
+  /// what is asked, and so the same for both solvers.
+  double default_bin(const Scene &);
+
   /// Do two sides of a closed polyline meet other than at their common vertex?
   bool crosses_itself(const Polyline &);
   /// Area that two closed polylines both enclose.

@@ -13,13 +13,6 @@ namespace scene
   {
     constexpr double crossings = 10.;
 
-    bool moves(const Support &support)
-    {
-      return std::any_of(support.displacement.begin(), support.displacement.end(),
-                         [](const auto &component)
-                         { return component && Function(*component).depends_on_time(); });
-    }
-
     // Largest speed of supports and walls, and how far they go.
     struct Drive
     {
@@ -62,6 +55,13 @@ namespace scene
     }
   } // namespace
 
+  bool is_driven(const Support &support)
+  {
+    return std::any_of(support.displacement.begin(), support.displacement.end(),
+                       [](const auto &component)
+                       { return component && Function(*component).depends_on_time(); });
+  }
+
   bool is_thrown(const Body &body)
   {
     return std::any_of(body.velocity.begin(), body.velocity.end(),
@@ -83,7 +83,7 @@ namespace scene
     try
     {
       const bool driven =
-          !s.walls.empty() || std::any_of(s.supports.begin(), s.supports.end(), moves);
+          !s.walls.empty() || std::any_of(s.supports.begin(), s.supports.end(), is_driven);
       if (!driven || std::any_of(s.bodies.begin(), s.bodies.end(), is_thrown))
         return {};
       const Drive drive = drive_of(s, box);

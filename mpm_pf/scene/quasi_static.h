@@ -7,6 +7,8 @@
 
 namespace scene
 {
+  /// Does the displacement of the support change with time? Throws BadExpression.
+  bool is_driven(const Support &);
   /// Does the body start with a velocity? Throws BadExpression.
   bool is_thrown(const Body &);
 

@@ -19,29 +19,29 @@ namespace solid
     }
   } // namespace
 
+  double kinetic_energy_of(const Points &points, const std::size_t p)
+  {
+    return 0.5 * points.mass[p] * (points.vx[p] * points.vx[p] + points.vy[p] * points.vy[p]);
+  }
+
+  double elastic_energy_of(const Solid &solid, const std::size_t k)
+  {
+    const Points &points = solid.points;
+    const Stress s{points.sxx[k], points.syy[k], points.szz[k], points.sxy[k]};
+    const double q = von_mises(s), p = pressure(s);
+    return points.mass[k] / solid.material.density * points.jacobian[k] *
+           (q * q / (6. * solid.material.shear) + 0.5 * p * p / solid.material.bulk);
+  }
+
   double kinetic_energy(const Solid &solid)
   {
     const Points &points = solid.points;
-    return sum(solid,
-               [&](const std::size_t p) {
-                 return 0.5 * points.mass[p] *
-                        (points.vx[p] * points.vx[p] + points.vy[p] * points.vy[p]);
-               });
+    return sum(solid, [&](const std::size_t p) { return kinetic_energy_of(points, p); });
   }
 
   double elastic_energy(const Solid &solid)
   {
-    const Points &points = solid.points;
-    const double deviatoric = 1. / (6. * solid.material.shear);
-    const double volumetric = 0.5 / solid.material.bulk;
-    return sum(solid,
-               [&](const std::size_t k)
-               {
-                 const Stress s{points.sxx[k], points.syy[k], points.szz[k], points.sxy[k]};
-                 const double q = von_mises(s), p = pressure(s);
-                 return points.mass[k] / solid.material.density * points.jacobian[k] *
-                        (q * q * deviatoric + p * p * volumetric);
-               });
+    return sum(solid, [&](const std::size_t p) { return elastic_energy_of(solid, p); });
   }
 
   Point momentum(const Solid &solid)

@@ -17,17 +17,23 @@
 // compression, without them 3e-5), and the hypoelastic law at large changes of volume.
 #pragma once
 
+#include "solid/points.h"
 #include "solid/solid.h"
 
 namespace solid
 {
+  /// Of point p.
+  double kinetic_energy_of(const Points &, std::size_t p);
+  double elastic_energy_of(const Solid &, std::size_t p);
+
+  /// Sums over the points.
   double kinetic_energy(const Solid &);
   double elastic_energy(const Solid &);
   Point momentum(const Solid &);
   double area(const Solid &);
   double mass(const Solid &);
-  /// Both together: what came in and is nowhere any more; negative where more is there than was
-  /// ever given.
+  /// transfer_loss and the balance together: what came in and is neither there nor dissipated;
+  /// negative where more is there than was ever given.
   double missing_energy(const Solid &);
 
   /// Largest speed and energy of points that have just been made: what the account starts from.

@@ -89,10 +89,7 @@ namespace solid
       mass *= solid.material.density_scale;
     square_edges(solid.points, solid.material.density, 0);
     begin_account(solid);
-    const scene::Box box = scene::bounding_box(scene.bodies);
-    // A growing crystal has no size to divide; four cells is what its stresses are compared in.
-    solid.bin = scene.growth ? 4. * solid.grid.dx
-                             : std::max((box.upper - box.lower).minCoeff() / 20., solid.grid.dx);
+    solid.bin = scene::default_bin(scene);
     return owner;
   }
 

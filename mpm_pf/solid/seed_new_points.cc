@@ -2,26 +2,13 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "solid/energy.h"
 #include "solid/ledger.h"
 
 namespace solid
 {
   namespace
   {
-    double kinetic_energy_of(const Points &points, const std::size_t p)
-    {
-      return 0.5 * points.mass[p] * (points.vx[p] * points.vx[p] + points.vy[p] * points.vy[p]);
-    }
-
-    double elastic_energy_of(const Solid &solid, const std::size_t k)
-    {
-      const Points &points = solid.points;
-      const Stress s{points.sxx[k], points.syy[k], points.szz[k], points.sxy[k]};
-      const double q = von_mises(s), p = pressure(s);
-      return points.mass[k] / solid.material.density * points.jacobian[k] *
-             (q * q / (6. * solid.material.shear) + 0.5 * p * p / solid.material.bulk);
-    }
-
     // A new point moves with the solid around it; what that brings in is no work of supports.
     void add_grown_point(Solid &solid, const Point &at, const double area)
     {
