@@ -7,7 +7,7 @@ import record
 import style
 
 RUNS = {  # the quick suite does without the second
-    "mach_3e-3": (r"Mach $3\times10^{-3}$", {"color": "#c98a1b", "lw": 0.8}),
+    "mach_3e-3": (r"Mach $3\times10^{-3}$", {"color": style.SEQUENCE[3], "lw": 0.8}),
     "mach_1e-3": (r"Mach $10^{-3}$", {"color": style.VARIANT, "lw": 0.9}),
     "mpm_pf": (r"Mach $2\times10^{-4}$", {"color": style.MATERIAL_POINTS}),
     "fe_reference": ("finite elements", {"color": style.FINITE_ELEMENTS, "ls": "--"}),

@@ -93,16 +93,26 @@ TEST_P(Probes, LineSaysWhereThereIsNoMaterial)
   EXPECT_NEAR(sample.values[6], modulus * std::log(1.5), 1e-6 * modulus);
 }
 
+namespace
+{
+  /// The end of the stretch, with a plastic strain that is the current x of its point.
+  fe::Snapshot with_strain_linear_in_x(const Stretched &s)
+  {
+    fe::Snapshot body = fe::look(s.problem, s.outcome.last, s.outcome.last);
+    const fe::Discretisation &d = s.problem.mesh;
+    for (int cell = 0; cell < d.cells; ++cell)
+      for (int q = 0; q < d.points_per_cell; ++q)
+        body.points[cell * d.points_per_cell + q].plastic_strain =
+            fe::position_in(body, {cell, d.unit_point[q]}, scene::Frame::current)[0];
+    return body;
+  }
+} // namespace
+
 TEST_P(Probes, BinAveragesOverCurrentAreaWhateverTheMesh)
 {
   // A field linear in x: the bin's mean is the value at its centre, away from the sides.
   Stretched s = stretched(GetParam());
-  fe::Snapshot body = fe::look(s.problem, s.outcome.last, s.outcome.last);
-  const fe::Discretisation &d = s.problem.mesh;
-  for (int cell = 0; cell < d.cells; ++cell)
-    for (int q = 0; q < d.points_per_cell; ++q)
-      body.points[cell * d.points_per_cell + q].plastic_strain =
-          fe::position_in(body, {cell, d.unit_point[q]}, scene::Frame::current)[0];
+  const fe::Snapshot body = with_strain_linear_in_x(s);
   scene::LineProbe line;
   line.a = {1.5, 0.5};
   line.b = {2., 0.5};
@@ -118,12 +128,7 @@ TEST_P(Probes, BinAveragesOverCurrentAreaWhateverTheMesh)
 TEST_P(Probes, APointAveragesOverItsBinAsALineDoes)
 {
   Stretched s = stretched(GetParam());
-  fe::Snapshot body = fe::look(s.problem, s.outcome.last, s.outcome.last);
-  const fe::Discretisation &d = s.problem.mesh;
-  for (int cell = 0; cell < d.cells; ++cell)
-    for (int q = 0; q < d.points_per_cell; ++q)
-      body.points[cell * d.points_per_cell + q].plastic_strain =
-          fe::position_in(body, {cell, d.unit_point[q]}, scene::Frame::current)[0];
+  const fe::Snapshot body = with_strain_linear_in_x(s);
   const fe::Point centre(1. + 0.375 * 1.5, 0.5);
   scene::PointProbe point{centre, scene::Frame::current, 0.375};
   EXPECT_NEAR(fe::sample_point(body, point, {"plastic_strain"}, 1.)[0], centre[0], 1e-10);
