@@ -80,6 +80,10 @@ namespace
   double solid_area(const scene::Scene &scene, const Arms &arms, const double time)
   {
     const double strength = scene.growth->anisotropy / 0.05;
+    // With noise an arm of many radii of its parabola is full of side branches: at eps = 0.06 and
+    // 33 radii 0.29 of the rectangles is solid; 13 radii at 0.06 and 17 at 0.05 show none.
+    constexpr double radii_to_branch = 25.;
+    const double tip = tip_radius(scene);
     double area = 0.;
     for (const std::size_t x : {0u, 1u})
       for (const std::size_t y : {2u, 3u})
@@ -90,7 +94,8 @@ namespace
         // square between two at 8 and 13 seed radii, 0.55 of the rectangle when pressed.
         const double slimmed = grown / 14. * std::min(1., 0.78 * std::pow(strength, 3) * grown) *
                                std::max(1., strength * strength);
-        area += std::max(0.15, pi / 4. * std::exp(-slimmed)) * a * b;
+        const bool branched = scene.noise && tip > 0. && std::min(a, b) > radii_to_branch * tip;
+        area += std::max(branched ? 0.29 : 0.15, pi / 4. * std::exp(-slimmed)) * a * b;
       }
     const double freezable = scene.heat ? std::min(1., scene.heat->undercooling) : 1.;
     return std::min(area, freezable * scene.domain.size.prod());
@@ -178,6 +183,15 @@ double tip_velocity(const scene::Scene &scene)
   const double pe = peclet_number(std::min(0.95, scene.heat->undercooling));
   const double sigma = 2.2 * std::pow(std::max(scene.growth->anisotropy, 0.005), 0.95);
   return 2. * sigma * pe * pe * scene.heat->diffusivity / scene.growth->capillary_length;
+}
+
+double tip_radius(const scene::Scene &scene)
+{
+  const double speed = tip_velocity(scene);
+  if (speed <= 0.)
+    return 0.;
+  const double pe = peclet_number(std::min(0.95, scene.heat->undercooling));
+  return 2. * pe * scene.heat->diffusivity / speed;
 }
 
 GrowthLoad growth_load(const World &world)

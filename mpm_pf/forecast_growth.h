@@ -15,6 +15,10 @@ double peclet_number(double undercooling);
 /// Tip velocity, length per time; 0 where nothing drives the tip.
 double tip_velocity(const scene::Scene &);
 
+/// Radius 2 Pe D/V of Ivantsov's parabola, length; 0 where nothing drives it. The tip of a crystal
+/// of strong anisotropy is sharper than that.
+double tip_radius(const scene::Scene &);
+
 /// What growth has to do in a whole run.
 struct GrowthLoad
 {

@@ -16,6 +16,7 @@
 #include <unistd.h>
 
 #include "process_clock.h"
+#include "record/provenance.h"
 
 namespace verify
 {
@@ -114,12 +115,18 @@ namespace verify
         timed_out = wall_s();
       if (timed_out)
         kill(-pid, wall_s() > *timed_out + 5. ? SIGKILL : SIGTERM);
+      if (const double seen = record::peak_rss_bytes(std::to_string(pid)); seen > 0.)
+        peak_seen = seen; // the last look counts: the first may see the copy of this program
       return {};
     }
     Ended ended;
     ended.wall_s = wall_s();
     ended.cpu_s = seconds(usage.ru_utime) + seconds(usage.ru_stime);
     ended.peak_rss_bytes = 1024. * static_cast<double>(usage.ru_maxrss);
+    // Linux starts to count at what this program held when it forked; a child that stays below
+    // that is known from the last look at it only.
+    if (ended.peak_rss_bytes <= record::peak_rss_bytes() && peak_seen > 0.)
+      ended.peak_rss_bytes = peak_seen;
     ended.exit_code = lost ? -1 : WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
     ended.timed_out = timed_out.has_value();
     ended.interrupted = interrupted;

@@ -48,6 +48,7 @@ namespace verify
     std::optional<double> timed_out; // when it was told to stop
     bool interrupted = false;
     double family_cpu_s = 0., family_seen = 0.; // last look at them, and when it was
+    double peak_seen = 0.;                      // resident memory, bytes
   };
 
   /// Turns SIGINT and SIGTERM into a flag.

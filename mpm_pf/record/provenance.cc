@@ -6,7 +6,6 @@
 
 #include <Eigen/Core>
 #include <hdf5.h>
-#include <sys/resource.h>
 #include <unistd.h>
 
 #include "commit.h"
@@ -78,11 +77,13 @@ namespace record
     return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
   }
 
-  double peak_rss_bytes()
+  double peak_rss_bytes(const std::string &process)
   {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    return 1024. * double(usage.ru_maxrss); // Linux counts in KiB
+    std::ifstream stream("/proc/" + process + "/status");
+    for (std::string name, rest; stream >> name && std::getline(stream, rest);)
+      if (name == "VmHWM:")
+        return 1024. * std::stod(rest); // Linux counts in KiB
+    return 0.;
   }
 
   double machine_bytes()

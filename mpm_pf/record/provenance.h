@@ -14,8 +14,13 @@ namespace record
   /// `program` as in "mpm_pf"; `command` the argv joined; `threads` in use.
   Provenance collect(const std::string &program, const std::string &command, int threads);
 
-  double wall_seconds();   // monotonic clock
-  double cpu_seconds();    // of the whole process, all threads
-  double peak_rss_bytes(); // high-water mark of resident memory
-  double machine_bytes();  // physical memory of this machine
+  double wall_seconds(); // monotonic clock
+  double cpu_seconds();  // of the whole process, all threads
+
+  /// High-water mark of the resident memory of a live process ("self" or its number) since it was
+  /// started (VmHWM of proc(5)); 0 if there is none. That of getrusage is not less than what the
+  /// process that forked it held, however small the program is.
+  double peak_rss_bytes(const std::string &process = "self");
+
+  double machine_bytes(); // physical memory of this machine
 } // namespace record

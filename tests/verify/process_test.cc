@@ -53,6 +53,19 @@ TEST(Processes, CountTheTimeOfAllThatTheyStarted)
   EXPECT_GT(cpu_s, 0.4); // looked at five times a second; the shell itself takes milliseconds
 }
 
+// Linux hands the high-water mark of a process on to what it forks.
+TEST(Processes, AreNotChargedForTheMemoryOfTheProgramThatStartsThem)
+{
+  const Workspace w;
+  const std::vector<char> held(200'000'000, 1);
+  Process process(shell_command(w, "sleep 0.3"));
+  double ignored = 0.;
+  const auto ended = end_of(process, ignored);
+  ASSERT_TRUE(ended);
+  EXPECT_GT(ended->peak_rss_bytes, 1e5);
+  EXPECT_LT(ended->peak_rss_bytes, 0.5 * static_cast<double>(held.size()));
+}
+
 TEST(Processes, ThatSomebodyElseWaitedForHaveEnded)
 {
   const Workspace w;
