@@ -31,7 +31,7 @@ def squeeze_mach(results):
         curves += panels.line_overlay(one, panel, entries)
         one.set(xlabel=r"$t/\tau_0$", title=panel, ylim=(-10, 70))
     axes[0].set_ylabel(r"force / $\sigma_Y W_0$")
-    axes[1].legend(loc="upper left")
+    axes[1].legend(loc="upper left", frameon=True, facecolor="white", edgecolor="none", framealpha=0.9)
     return figure, curves
 
 
