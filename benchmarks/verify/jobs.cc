@@ -19,15 +19,19 @@ namespace verify
   namespace fs = std::filesystem;
   namespace
   {
+    constexpr int trouble = 3; // exit code of a run that met numerical trouble
+
     std::string status_of(const Job &job, const Ended &ended)
     {
-      if (ended.timed_out)
-        return "timed out"; // whatever exit code it left with when it was told to stop
+      if (ended.timed_out) // when told to stop it may leave with any code but that of trouble
+        return ended.exit_code == trouble ? "diverged" : "timed out";
       if (ended.interrupted || ended.exit_code == 130)
         return "interrupted";
       if (ended.exit_code == job.expect_exit)
         return job.expect_exit == 0 ? "complete" : "as expected";
-      return ended.exit_code == 2 ? "bad input" : ended.exit_code == 3 ? "diverged" : "failed";
+      return ended.exit_code == 2         ? "bad input"
+             : ended.exit_code == trouble ? "diverged"
+                                          : "failed";
     }
 
     std::string last_words(const std::string &log)
@@ -99,6 +103,12 @@ namespace verify
           fs::remove(job.base + extension);
       if (!outcome.good())
         outcome.last_words = last_words(job.command.log);
+      if (ended.timed_out && outcome.status == "diverged")
+        outcome.last_words =
+            fmt::format("it met trouble, and its time limit of {:g} s ended it on the way back to "
+                        "the last good state\n",
+                        job.command.time_limit_s) +
+            outcome.last_words;
       write_state(job, outcome);
       return outcome;
     }

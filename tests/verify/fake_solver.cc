@@ -12,8 +12,10 @@
 //   growth            the energy grows by this factor per unit of time
 //   hole              exit code 2 if the growth is this
 //   bytes             1: its trouble is told in bytes that are no UTF-8
+//   troubled          1: it has met trouble before it waits, and ends with 3 when told to stop
 #include <chrono>
 #include <cmath>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -32,9 +34,10 @@ namespace
 
   Settings settings_of(const record::CommandLine &command)
   {
-    Settings settings{{"error", 0.}, {"order", 2.}, {"h", 1.},    {"exit", 0.},   {"sleep", 0.},
-                      {"burn", 0.},  {"short", 1.}, {"nan", 0.},  {"growth", 0.}, {"foretold", 0.},
-                      {"hole", -1.}, {"skew", 0.},  {"bytes", 0.}};
+    Settings settings{{"error", 0.},  {"order", 2.},    {"h", 1.},     {"exit", 0.},
+                      {"sleep", 0.},  {"burn", 0.},     {"short", 1.}, {"nan", 0.},
+                      {"growth", 0.}, {"foretold", 0.}, {"hole", -1.}, {"skew", 0.},
+                      {"bytes", 0.},  {"troubled", 0.}};
     for (const auto &text : command.overrides)
       if (const auto equal = text.find('='); text.rfind("fake.", 0) == 0 && equal + 1 < text.size())
         settings[text.substr(5, equal - 5)] = std::strtod(text.c_str() + equal + 1, nullptr);
@@ -105,6 +108,12 @@ int main(int argc, char **argv)
                 s.at("foretold") > 0. ? s.at("foretold") : 0.01 + s.at("burn"),
                 record::peak_rss_bytes()); // under a sanitizer six times as much
     return 0;
+  }
+  if (s.at("troubled") > 0.)
+  {
+    std::printf("fake trouble, going back\n");
+    std::fflush(stdout);
+    std::signal(SIGTERM, [](int) { std::_Exit(3); });
   }
   std::this_thread::sleep_for(std::chrono::duration<double>(s.at("sleep")));
   burn(s.at("burn"));

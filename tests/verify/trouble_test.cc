@@ -49,6 +49,18 @@ TEST(Needs, InACircleAreRefused)
       "");
 }
 
+TEST(Campaign, TellsTroubleAndTimeLimitOfARunThatMetBoth)
+{
+  const Workspace w;
+  const auto campaign = w.run("[[run]]\nsolver = \"mpm_pf\"\nset = [\"fake.sleep=60\", "
+                              "\"fake.troubled=1\"]\ntime_limit_s = 0.2\n");
+  EXPECT_EQ(campaign.exit_code, 3);
+  const Outcome &outcome = campaign.cases[0].outcomes[0];
+  EXPECT_EQ(outcome.status, "diverged");
+  for (const char *said : {"its time limit of 0.2 s", "fake trouble, going back"})
+    EXPECT_NE(outcome.last_words.find(said), std::string::npos) << outcome.last_words;
+}
+
 TEST(Campaign, SurvivesALogOfAnyBytes)
 {
   const Workspace w;
