@@ -72,7 +72,8 @@ namespace record
     app.add_flag("--resume", command.resume, "go on from the last checkpoint");
     app.add_flag("--force", command.force, "overwrite a record; run past a refused step limit");
     const auto *explained =
-        app.add_option("--explain", explain, "manual entry of a key, a section, or 'all'");
+        app.add_option("--explain", explain,
+                       "manual entry of a key, a section, a function or a quantity, or 'all'");
     Parsed parsed;
     try
     {

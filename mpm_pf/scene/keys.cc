@@ -99,7 +99,10 @@ namespace scene
         complaints.add(table, "\"" + key.name + "\" is missing (" + key.sentence + ")",
                        key.kind + (key.allowed.range.text().empty() ? "" : ", ") +
                            key.allowed.range.text(),
-                       "add " + key.name + " = ...");
+                       "add " + key.name + " = ..." +
+                           (key.chosen_by.empty()
+                                ? ""
+                                : ", or " + key.chosen_by + " = ... at the top of the file"));
     check_alternatives(section, table, complaints);
   }
 } // namespace scene

@@ -69,7 +69,8 @@ namespace scene
     std::string name, kind; // kind: "a number", "two whole numbers", ...
     Allowed allowed;
     bool required = false;
-    std::string standard; // the default, as text; empty: absent
+    std::string standard;  // the default, as text; empty: absent
+    std::string chosen_by; // key at the top of the file that may choose a required one instead
     std::string sentence, reason;
     /// Reads a value into the field this key names in `target`; what is wrong becomes a complaint.
     std::function<void(const Value &, void *target, Complaints &)> take;

@@ -37,10 +37,12 @@ namespace scene
           .require("size", &Domain::size, positive(Dimension::length), "Width and height.", "")
           .require("cells", &Domain::cells, between(1, 100000),
                    "Number of cells in x and y (cells, not nodes).", "")
+          .chosen_by("accuracy")
           .add("boundary", &Domain::boundary, any(),
                "Condition on all sides, or side by side: no_flux (no gradient across, material "
                "must not arrive), symmetry (the same, material slides), periodic (for fields; "
-               "material must not arrive), fixed.",
+               "material must not arrive), fixed (fields keep the values with which they start; "
+               "material must not arrive, nor may a wall stand there).",
                "a closed box conserves heat")
           .required();
     }
@@ -53,8 +55,9 @@ namespace scene
                    "their way.",
                    "")
           .add("step", &Clock::step, positive(Dimension::time),
-               "Coupling step between solid, advection and growth.",
-               "absent: the largest step that every module's limit allows")
+               "Longest coupling step between solid, advection and growth, for mpm_pf with "
+               "[phase_field] or [heat]; a module's own limit shortens it.",
+               "absent: as long as the limits of all modules allow")
           .required();
     }
   } // namespace

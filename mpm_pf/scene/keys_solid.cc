@@ -79,7 +79,8 @@ namespace scene
     {
       Keys<Input> keys(name, sentence);
       keys.add("name", &Input::name, any(), "Name, for probes and overrides.",
-               "absent: the word after `on`")
+               "absent: the word after `on`; with segment or region " + name + " 1, " + name +
+                   " 2, ... by its place among all [[" + name + "]]")
           .add("on", &Input::on, any(), "A side of the bodies' common bounding box.",
                "absent: segment or region says where")
           .add("segment", &Input::segment, any(Dimension::length),

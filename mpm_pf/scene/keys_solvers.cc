@@ -66,7 +66,8 @@ namespace scene
           .add("degree", &Fe::degree, between(1, 2), "Polynomial degree of the displacement.",
                "quadratic with volume ratios linear in a cell: does not lock, third order")
           .add("load_steps", &Fe::load_steps, between(1, 10000000),
-               "Steps to the end; a step that does not converge is retried smaller.",
+               "Steps to clock.end at the least: none is longer than that part of it, each time "
+               "of a probe ends one, and one that does not converge is halved and tried again.",
                "1 % of the way each resolves the yielding of all cases of the paper")
           .add("tolerance", &Fe::tolerance, inside(0., 1.),
                "Relative residual at which Newton's method stops.",

@@ -1,5 +1,6 @@
 // explain() and manual(): the tables of keys.h as text.
 #include "scene/expression.h"
+#include "scene/formula_words.h"
 #include "scene/keys.h"
 #include "scene/reader.h"
 #include "scene/rules.h"
@@ -24,7 +25,10 @@ namespace scene
 
     std::string default_of(const Key &key)
     {
-      return key.required ? "none, must be given" : key.standard.empty() ? "absent" : key.standard;
+      if (!key.required)
+        return key.standard.empty() ? "absent" : key.standard;
+      return "none, must be given" +
+             (key.chosen_by.empty() ? "" : " unless " + key.chosen_by + " chooses it");
     }
 
     std::string full_name(const Section &section, const Key &key)
@@ -50,6 +54,39 @@ namespace scene
       for (const Key &key : section.keys)
         text += "\n" + entry(section, key);
       return text;
+    }
+
+    std::string unit_of(const Quantity &quantity)
+    {
+      const std::string si = column_unit(dimension_of(quantity.name), Units::si);
+      const std::string own = column_unit(dimension_of(quantity.name), Units::w0_tau0_sigma_y);
+      return si == own ? si : si + " (in W0-tau0-sigmaY: " + own + ")";
+    }
+
+    std::string entry(const ExpressionWord &word)
+    {
+      return word.form + "\n  " + word.sentence + "\n";
+    }
+
+    std::string entry(const Quantity &quantity)
+    {
+      return quantity.name + "\n  " + quantity.sentence + "\n  kind:    a quantity for probe.of\n" +
+             "  unit:    " + unit_of(quantity) + "\n";
+    }
+
+    /// Words and quantities of that name; all of them, under headings, for "".
+    std::string entries_of_formulas(const std::string &wanted)
+    {
+      std::string words, quantities;
+      for (const ExpressionWord &word : expression_words())
+        if (wanted.empty() || word.name == wanted)
+          words += entry(word);
+      for (const Quantity &quantity : probe_quantities())
+        if (wanted.empty() || quantity.name == wanted)
+          quantities += entry(quantity);
+      return wanted.empty() ? "\nWords of an expression\n\n" + words +
+                                  "\nQuantities of a probe\n\n" + quantities
+                            : words + quantities;
     }
 
     std::string cell(std::string text)
@@ -78,18 +115,23 @@ namespace scene
       }
     }
     if (wanted.empty())
-      return all;
+      return all + entries_of_formulas("");
     // A bare key, "mach", stands for every section that has one.
     std::string matches;
     for (const Section &section : sections())
       if (const Key *key = section.find(wanted))
         matches += (matches.empty() ? "" : "\n") + entry(section, *key);
+    matches += entries_of_formulas(wanted);
     if (!matches.empty())
       return matches;
+    for (const ExpressionWord &word : expression_words())
+      known.push_back(word.name);
+    for (const Quantity &quantity : probe_quantities())
+      known.push_back(quantity.name);
     const std::string hint = did_you_mean(wanted, known);
-    throw BadScene("there is no key or section \"" + wanted + "\"" +
+    throw BadScene("there is no key, section, function or quantity \"" + wanted + "\"" +
                    (hint.empty() ? "" : "; " + hint) +
-                   "\n  remedy: --explain \"\" lists everything");
+                   "\n  remedy: --explain all lists everything");
   }
 
   std::string manual()
@@ -113,6 +155,13 @@ namespace scene
                 key.allowed.range.text() + " | " + cell(default_of(key)) + " | " +
                 cell(key.sentence) + " | " + cell(key.reason) + " |\n";
     }
+    text += "\n## Words of an expression\n\n| word | meaning |\n|---|---|\n";
+    for (const ExpressionWord &word : expression_words())
+      text += "| `" + cell(word.form) + "` | " + cell(word.sentence) + " |\n";
+    text += "\n## Quantities of a probe\n\n| quantity | unit | meaning |\n|---|---|---|\n";
+    for (const Quantity &quantity : probe_quantities())
+      text += "| `" + quantity.name + "` | " + unit_of(quantity) + " | " + cell(quantity.sentence) +
+              " |\n";
     text += "\n## Rules between keys\n\n";
     for (const Rule &rule : rules())
       text += "- " + rule.statement + "\n";

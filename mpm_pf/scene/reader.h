@@ -20,8 +20,9 @@ namespace scene
   /// key and rule. Throws BadScene with all errors found, never only the first.
   Scene read_scene(const std::string &path, const std::vector<std::string> &overrides = {});
 
-  /// Manual entry of one key ("mpm.mach") or of all keys of a section ("mpm") or of everything
-  /// (""), as text. Throws BadScene with the nearest known keys if there is none.
+  /// Manual entry of one key ("mpm.mach"), of all keys of a section ("mpm"), of a function of an
+  /// expression ("ramp"), of a quantity of a probe ("von_mises") or of everything (""), as text.
+  /// Throws BadScene with the nearest known keys if there is none.
   std::string explain(const std::string &key);
 
   /// The manual page of the scene language, as Markdown, from the same tables.

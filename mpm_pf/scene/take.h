@@ -94,6 +94,12 @@ namespace scene
       section.keys.push_back(key);
       return *this;
     }
+    /// The key just required may be left out where the top of the file has `key`, which chooses it.
+    Keys &chosen_by(const std::string &key)
+    {
+      section.keys.back().chosen_by = key;
+      return *this;
+    }
     Keys &exclusive(const std::vector<std::string> &keys, const bool required = false)
     {
       section.alternatives.push_back({keys, required});

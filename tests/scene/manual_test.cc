@@ -2,7 +2,10 @@
 #include <gtest/gtest.h>
 
 #include "scene/complaints.h"
+#include "scene/expression.h"
+#include "scene/formula_words.h"
 #include "scene/keys.h"
+#include "scene/quantities.h"
 #include "scene/reader.h"
 #include "scene/rules.h"
 
@@ -50,6 +53,52 @@ TEST(Explain, TakesSectionsBareKeysAndEverything)
   EXPECT_NE(both.find("domain.cells"), std::string::npos);
   EXPECT_NE(both.find("fe.cells"), std::string::npos);
   EXPECT_GT(scene::explain("").size(), scene::explain("mpm").size());
+}
+
+TEST(Explain, KnowsTheFunctionsOfExpressionsAndTheQuantitiesOfProbes)
+{
+  EXPECT_NE(scene::explain("ramp").find("ramp(t, T)\n"), std::string::npos);
+  const std::string stress = scene::explain("stress_xy");
+  EXPECT_NE(stress.find("unit:    Pa (in W0-tau0-sigmaY: sigma_Y)"), std::string::npos) << stress;
+  const std::string all = scene::explain(""), page = scene::manual();
+  for (const char *word : {"ramp(t, T)", "sin(a)", "von_mises", "crystal_angle"})
+  {
+    EXPECT_NE(all.find(std::string("\n") + word + "\n"), std::string::npos) << word;
+    EXPECT_NE(page.find(std::string("| `") + word + "` | "), std::string::npos) << word;
+  }
+}
+
+TEST(Explain, SaysThatAnAccuracyMayChooseTheCells)
+{
+  const std::string cells = scene::explain("domain.cells"), size = scene::explain("domain.size");
+  EXPECT_NE(cells.find("must be given unless accuracy chooses it"), std::string::npos) << cells;
+  EXPECT_EQ(size.find("unless"), std::string::npos) << size;
+}
+
+TEST(ExpressionWords, AreUnderstoodAsTheyAreWritten)
+{
+  for (const scene::ExpressionWord &word : scene::expression_words())
+  {
+    // The names that stand for any number get one.
+    std::string text = word.form;
+    for (const auto &[any, number] : {std::pair{"(a", "(0.5"}, {", b", ", 0.25"}, {", T", ", 2"}})
+      if (const auto at = text.find(any); at != std::string::npos)
+        text.replace(at, std::string(any).size(), number);
+    scene::Expression expression;
+    expression.text = text;
+    EXPECT_NO_THROW(scene::Function{expression}) << word.form;
+    EXPECT_NE(text.find(word.name), std::string::npos) << word.form;
+  }
+}
+
+TEST(Quantities, HaveASentenceEach)
+{
+  std::vector<std::string> known(scene::solid_quantities.begin(), scene::solid_quantities.end());
+  known.insert(known.end(), scene::melt_quantities.begin(), scene::melt_quantities.end());
+  std::vector<std::string> told;
+  for (const scene::Quantity &quantity : scene::probe_quantities())
+    told.push_back(quantity.name);
+  EXPECT_EQ(told, known);
 }
 
 TEST(Explain, NamesTheNearestKey)
