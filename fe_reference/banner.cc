@@ -4,6 +4,7 @@
 
 #include "scene/expression.h"
 #include "scene/presets.h"
+#include "scene/quantities.h"
 #include "scene/reader.h"
 
 namespace fe
@@ -30,6 +31,20 @@ namespace fe
       if (section)
         lines += std::string("  skipped  [") + name + "] (" + at(section->place) +
                  "): does not concern the solid's equilibrium\n";
+    }
+
+    /// What of a probe is of the melt; "" if nothing.
+    std::string of_the_melt(const scene::Probe &probe)
+    {
+      if (std::holds_alternative<scene::TipProbe>(probe.kind))
+        return "the tip";
+      if (const auto *outline = std::get_if<scene::OutlineProbe>(&probe.kind))
+        return outline->of == scene::OutlineProbe::Of::phase ? "the contour of phi" : "";
+      std::string names;
+      for (const std::string &name : probe.of)
+        if (scene::is_melt_quantity(name))
+          names += (names.empty() ? "" : ", ") + name;
+      return names;
     }
 
     bool moves(const scene::Body &body)
@@ -71,6 +86,10 @@ namespace fe
     skip(scene.advection, "advection", skipped);
     skip(scene.extension, "extension", skipped);
     skip(scene.orientation, "orientation", skipped);
+    for (const scene::Probe &probe : scene.probes)
+      if (const std::string what = of_the_melt(probe); !what.empty())
+        skipped += "  skipped  " + what + " of [[probe]] \"" + probe.name + "\" (" +
+                   at(probe.place) + "): only mpm_pf follows phi; this record has none of it\n";
     for (const scene::Body &body : scene.bodies)
       if (moves(body))
         skipped += "  skipped  initial velocity (" + at(body.place) +

@@ -39,6 +39,24 @@ std::string warning_on_sides(const World &world)
          "enlarge domain.size, or make it a symmetry side or a wall";
 }
 
+std::string warning_on_melted_crystals(const World &world)
+{
+  const scene::Scene &scene = *world.scene;
+  if (!scene.growth || !scene.heat || !world.phase || !phase_contour(world).empty())
+    return {};
+  std::ostringstream text;
+  text.precision(3);
+  text << "the crystal has melted away: phi > 0 is nowhere at the end, and what is recorded later "
+          "than that is of melt alone; ";
+  if (scene.heat->initial)
+    text << "give a colder heat.initial or a larger body";
+  else
+    text << "give a larger body (one of a radius below d0/Delta = "
+         << scene.growth->capillary_length / scene.heat->undercooling
+         << " must melt, one of a few W0 may) or more heat.undercooling";
+  return text.str();
+}
+
 std::string warning_on_areas(const World &world)
 {
   if (!world.solid || !world.phase || solid::points(*world.solid) == 0)

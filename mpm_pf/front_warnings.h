@@ -10,6 +10,9 @@
 /// else.
 std::string warning_on_sides(const World &);
 
+/// A sentence if a crystal has melted away: no phi > 0 is left where there was some. Empty else.
+std::string warning_on_melted_crystals(const World &);
+
 /// A sentence if the areas of phi > 0 and of the material points differ by more than a twentieth.
 /// Empty else.
 std::string warning_on_areas(const World &);

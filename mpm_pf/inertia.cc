@@ -137,3 +137,19 @@ std::string warning_on_idle_walls(const World &world)
   return idle + " never started: the front never came within start_distance of it; run longer, or "
                 "start it from further away or by start_time";
 }
+
+std::string warning_on_missing_walls(const World &world)
+{
+  if (!world.solid || !world.walls)
+    return {};
+  std::ostringstream text;
+  text.precision(3);
+  for (const medium::Wall &wall : world.walls->walls)
+    if (wall.started && !wall.touched && wall.travel > 0.)
+      text << (text.tellp() > 0 ? ", " : "") << solid::wall_name(wall.side) << " has moved by "
+           << wall.travel << " and met nothing";
+  const std::string missed = text.str();
+  return missed.empty() ? missed
+                        : missed + ": the solid was never pressed; raise wall.travel or clock.end, "
+                                   "or place the body where the wall comes";
+}

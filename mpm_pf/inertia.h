@@ -39,3 +39,6 @@ std::string warning_on_energy(const World &);
 /// A sentence if a wall that should have moved never started: no front came near enough to it.
 /// Empty else.
 std::string warning_on_idle_walls(const World &);
+
+/// A sentence if a wall went its way before a solid and met nothing. Empty else.
+std::string warning_on_missing_walls(const World &);

@@ -24,7 +24,6 @@
 namespace
 {
   constexpr double seconds_between_checkpoints = 300.;
-
   constexpr double seconds_between_weighings = 0.25;
   constexpr auto last_good = "last good state";
 
@@ -234,7 +233,8 @@ namespace
     for (const std::string &doubt :
          {warning_on_scaling(world), warning_on_wall_ramps(world), warning_on_support_ramps(world),
           warning_on_quadrature(world), warning_on_thin_bodies(world), warning_on_idle_walls(world),
-          warning_on_energy(world), warning_on_sides(world), warning_on_areas(world)})
+          warning_on_missing_walls(world), warning_on_energy(world), warning_on_sides(world),
+          warning_on_areas(world), warning_on_melted_crystals(world)})
       if (!doubt.empty())
         warning += (warning.empty() ? "" : "; ") + doubt;
     if (!warning.empty())

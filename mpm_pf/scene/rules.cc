@@ -61,6 +61,7 @@ namespace scene
     {
       return {
           // Melt
+          {"The interface width is a tenth of a cell at least.", interface_is_seen_by_nodes},
           {"The anisotropy is less than 1/15.", anisotropy_is_well_posed},
           {"d0, tau0, W0, D and the kinetic coefficient satisfy the thin-interface relations to 1 "
            "%.",

@@ -33,6 +33,7 @@ namespace scene
   void walls_have_room(const Inspection &);
   void walls_stand_on_own_sides(const Inspection &);
   void walls_know_when_to_start(const Inspection &);
+  void interface_is_seen_by_nodes(const Inspection &);
   void anisotropy_is_well_posed(const Inspection &);
   void kinetics_are_consistent(const Inspection &);
   void strong_undercooling_has_kinetics(const Inspection &);

@@ -100,6 +100,26 @@ namespace scene
     }
   }
 
+  void interface_is_seen_by_nodes(const Inspection &in)
+  {
+    // At half a cell from the contour 1 - phi is 2e-3 for a tenth: below it no node knows of it.
+    constexpr double least = 0.1;
+    if (!sound(in, "domain") || !sound(in, "phase_field"))
+      return;
+    const double spacing = in.scene().domain.spacing().maxCoeff();
+    const double width = in.scene().phase_field->width;
+    if (width >= least * spacing)
+      return;
+    in.complain(in.at("phase_field", "width"),
+                "read " + number_text(width) + ", which is " + number_text(width / spacing) +
+                    " cells of " + number_text(spacing) +
+                    ": phi is 1 or -1 at every node, and nothing tells where between two of them "
+                    "its contour is",
+                "a tenth of a cell at least; half a cell follows a marker, a whole one a growing "
+                "front",
+                "width = " + number_text(spacing) + ", or more [domain] cells");
+  }
+
   void anisotropy_is_well_posed(const Inspection &in)
   {
     if (in.written("growth", "anisotropy") && in.scene().growth &&

@@ -100,6 +100,17 @@ class Programs(unittest.TestCase):
             file.visititems(collect)
         return found
 
+    def test_probes_of_the_melt_are_named_as_skipped(self):
+        scene = self.scene()
+        with open(scene, "a") as file:
+            file.write('[phase_field]\nwidth = 0.1\n[[probe]]\nname = "both"\nline = [[1.5, 1.2], [3.5, 1.2]]\npoints = 3\nof = ["phi", "von_mises"]\n')
+            file.write('[[probe]]\nname = "front"\noutline = "phase"\n')
+        code, text = self.run_to_end(self.command(scene, "melt", "--plan"))
+        self.assertEqual(code, 0, text)
+        self.assertRegex(text, r'skipped  phi of \[\[probe\]\] "both" \(.*bar.toml:[0-9]+\)')
+        self.assertIn('skipped  the contour of phi of [[probe]] "front"', text)
+        self.assertNotIn('"outline"', text)
+
     def test_resumed_run_is_the_uninterrupted_one_to_the_bit(self):
         scene = self.scene(steps=3000)  # seconds, so that the signal finds it running
         code, text = self.run_to_end(self.command(scene, "whole"))

@@ -8,7 +8,13 @@ namespace
   const std::string wall = "[solid]\nyoung_modulus = 1e4\npoisson_ratio = 0.3\ndensity = 1\n"
                            "[[wall]]\nside = \"top\"\n";
 
+  const std::string marker = "title = \"t\"\n[domain]\nsize = [10, 10]\ncells = [20, 20]\n"
+                             "[[body]]\nshape = \"disc\"\ncentre = [5, 5]\nradius = 2\n"
+                             "[phase_field]\nwidth = 0.025\n"
+                             "[imposed]\nvelocity = [1, 0]\n[clock]\nend = 1\n";
+
   const std::vector<Broken> melt{
+      {"interface_far_below_a_cell", marker, "width", "0.05 cells of 0.5"},
       {"anisotropy_past_a_fifteenth", with(seed, "0.05", "0.07"), "anisotropy", "1/15"},
       {"anisotropy_of_a_fifteenth", with(seed, "0.05", "0.06666666666666667"), "anisotropy",
        "less than 1/15"},

@@ -8,8 +8,8 @@
 #include "coupling.h"
 #include "forecast.h"
 #include "inertia.h"
-#include "melt_history.h"
 #include "medium/trouble.h"
+#include "melt_history.h"
 #include "record/checkpoint.h"
 #include "record/reader.h"
 #include "scene/geometry.h"
@@ -259,6 +259,17 @@ TEST(Coupled, AWallThatNeverStartedIsSaid)
   World far = build_world(scene, 1);
   go(far, 1);
   EXPECT_NE(warning_on_idle_walls(far).find("wall top never started"), std::string::npos);
+}
+
+TEST(Coupled, AWallThatMetNothingIsSaid)
+{
+  const scene::Scene scene = pressed_seed();
+  World world = build_world(scene, 1);
+  EXPECT_EQ(warning_on_missing_walls(world), "") << "it has not moved";
+  go(world, 1);
+  EXPECT_NE(warning_on_missing_walls(world).find("and met nothing"), std::string::npos);
+  world.walls->walls[0].touched = world.time;
+  EXPECT_EQ(warning_on_missing_walls(world), "");
 }
 
 TEST(Coupled, InertiaIsThatOfTheFastestWall)
