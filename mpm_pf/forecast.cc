@@ -9,6 +9,7 @@
 #include <omp.h>
 
 #include "accounts.h"
+#include "forecast_output.h"
 #include "forecast_probes.h"
 #include "record/provenance.h"
 #include "scene/quantities.h"
@@ -112,6 +113,7 @@ Forecast foretell(const scene::Scene &scene, const int threads, const bool force
       record::peak_rss_bytes() + std::max(0., forecast.solver_bytes() - sum(memory(world)));
   if (const auto points = forecast.counts.find("points"); points != forecast.counts.end())
     forecast.resident_bytes += snapshot_bytes(scene, points->second);
+  foretell_output(world, forecast); // last: what it holds meanwhile is counted just above
   return forecast;
 }
 

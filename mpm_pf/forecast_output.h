@@ -1,0 +1,11 @@
+// What looking costs: the forecast of a scene's probes.
+#pragma once
+
+#include "forecast.h"
+#include "world.h"
+
+/// Adds seconds["output"]: one look of each probe at the world as it stands, timed with its writing
+/// to a scratch record in the system's folder for such, for as often as the probe looks. Tips and
+/// reactions cost next to nothing and are left out; a crystal counts with the points and the
+/// contour that it has now. Where no scratch record can be written nothing is added.
+void foretell_output(const World &, Forecast &);
