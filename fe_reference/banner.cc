@@ -11,7 +11,7 @@ namespace fe
 {
   namespace
   {
-    std::string at(const scene::Place &place)
+    std::string at(const scene::SourceLocation &place)
     {
       return place.file + ":" + std::to_string(place.line);
     }

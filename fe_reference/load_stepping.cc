@@ -26,15 +26,15 @@ namespace fe
     }
 
     std::string describe(const Problem &problem, const State &last, const State &tried,
-                         const NewtonReport &report, const Course &course, const int step)
+                         const NewtonReport &report, const SteppingOptions &options, const int step)
     {
       const Discretisation &d = problem.mesh;
       const bool folds = !(tried.smallest_jacobian > 0.);
       const Point &X = folds ? d.position[d.nodes_of(tried.worst_cell)[0]]
                              : d.position[report.worst_unknown / 2];
       std::ostringstream text;
-      text << "no equilibrium beyond t = " << last.time << " (" << 100. * last.time / course.end
-           << " % of the load) after " << step << " steps: " << report.trouble << ", near X = ("
+      text << "no equilibrium beyond t = " << last.time << " (" << 100. * last.time / options.end
+           << " % of the load) after " << step << " steps: " << report.failure << ", near X = ("
            << X[0] << ", " << X[1] << "); smallest Jacobian of the last equilibrium "
            << last.smallest_jacobian << ". Remedy: "
            << (report.remedy.empty()
@@ -49,20 +49,21 @@ namespace fe
     {
       const Problem &problem;
       LinearSystem &system;
-      const Course &course;
+      const SteppingOptions &options;
       double nominal;
       State last, now;
-      Pace pace;
+      SteppingState stepping;
       NewtonReport report;
 
       double target_time(double wanted) const;
       bool attempt(double time, bool carried);
       bool advance();
       void accept();
-      bool finished() const { return last.time > course.end - 1e-9 * nominal; }
+      bool finished() const { return last.time > options.end - 1e-9 * nominal; }
       bool goes_on_past_the_end() const
       {
-        return course.until_folding && !course.folded() && last.time < longest_course * course.end;
+        return options.until_folding && !options.folded() &&
+               last.time < longest_course * options.end;
       }
     };
 
@@ -70,8 +71,8 @@ namespace fe
     double March::target_time(const double wanted) const
     {
       const double t = last.time, tolerance = 1e-9 * nominal;
-      double stop = course.until_folding && finished() ? HUGE_VAL : course.end;
-      for (const double sample : course.sampling_times)
+      double stop = options.until_folding && finished() ? HUGE_VAL : options.end;
+      for (const double sample : options.sampling_times)
         if (sample > t + tolerance)
         {
           stop = std::min(stop, sample);
@@ -88,24 +89,24 @@ namespace fe
       now.u = last.u;
       if (carried)
         for (std::size_t k = 0; k < now.u.size(); ++k)
-          now.u[k] += pace.velocity[k] * (time - last.time);
+          now.u[k] += stepping.velocity[k] * (time - last.time);
       report = find_equilibrium(problem, system, last, now);
-      pace.iterations += report.iterations;
-      pace.retries += report.converged ? 0 : 1;
+      stepping.iterations += report.iterations;
+      stepping.retries += report.converged ? 0 : 1;
       return report.converged;
     }
 
     bool March::advance()
     {
-      while (pace.increment > smallest_fraction * nominal && report.remedy.empty())
+      while (stepping.increment > smallest_fraction * nominal && report.remedy.empty())
       {
-        const double time = target_time(pace.increment);
-        if (!pace.velocity.empty() && attempt(time, true))
+        const double time = target_time(stepping.increment);
+        if (!stepping.velocity.empty() && attempt(time, true))
           return true;
         if (report.remedy.empty() && attempt(time, false))
           return true;
-        pace.increment = 0.5 * std::min(pace.increment, time - last.time);
-        pace.easy = 0;
+        stepping.increment = 0.5 * std::min(stepping.increment, time - last.time);
+        stepping.easy_increments = 0;
       }
       return false;
     }
@@ -113,17 +114,18 @@ namespace fe
     void March::accept()
     {
       const double dt = now.time - last.time;
-      pace.velocity.resize(now.u.size());
+      stepping.velocity.resize(now.u.size());
       for (std::size_t k = 0; k < now.u.size(); ++k)
-        pace.velocity[k] = (now.u[k] - last.u[k]) / dt;
-      const double external = pace.energies.external + work(problem, last, now);
-      pace.energies = stored_energies(problem, now);
-      pace.energies.external = external;
-      ++pace.steps;
-      pace.easy = report.iterations <= easy_iterations ? pace.easy + 1 : 0;
-      if (pace.easy >= 2)
-        pace.increment = std::min(nominal, 1.5 * pace.increment);
-      course.observe({now, last, pace, report});
+        stepping.velocity[k] = (now.u[k] - last.u[k]) / dt;
+      const double external = stepping.energies.external + work(problem, last, now);
+      stepping.energies = stored_energies(problem, now);
+      stepping.energies.external = external;
+      ++stepping.steps;
+      stepping.easy_increments =
+          report.iterations <= easy_iterations ? stepping.easy_increments + 1 : 0;
+      if (stepping.easy_increments >= 2)
+        stepping.increment = std::min(nominal, 1.5 * stepping.increment);
+      options.observe({now, last, stepping, report});
       std::swap(last, now);
     }
   } // namespace
@@ -146,22 +148,22 @@ namespace fe
     return {0., sums[0], sums[1]};
   }
 
-  Outcome follow(const Problem &problem, LinearSystem &system, State initial, const Course &course,
-                 Pace pace)
+  Outcome run_load_steps(const Problem &problem, LinearSystem &system, State initial,
+                         const SteppingOptions &options, SteppingState stepping)
   {
-    const double nominal = course.end / course.load_steps;
-    March march{problem, system, course, nominal, std::move(initial), {}, std::move(pace), {}};
+    const double nominal = options.end / options.load_steps;
+    March march{problem, system, options, nominal, std::move(initial), {}, std::move(stepping), {}};
     march.now = march.last;
-    if (march.pace.steps == 0)
+    if (march.stepping.steps == 0)
     {
-      march.pace.energies = stored_energies(problem, march.last);
-      march.pace.increment = nominal;
-      course.observe({march.last, march.last, march.pace, {}});
+      march.stepping.energies = stored_energies(problem, march.last);
+      march.stepping.increment = nominal;
+      options.observe({march.last, march.last, march.stepping, {}});
     }
     Outcome outcome;
     while (!march.finished() || march.goes_on_past_the_end())
     {
-      if (course.interrupted())
+      if (options.interrupted())
       {
         outcome.kind = Outcome::Kind::interrupted;
         break;
@@ -171,21 +173,21 @@ namespace fe
         if (!march.finished())
           outcome.kind = Outcome::Kind::diverged;
         outcome.message =
-            describe(problem, march.last, march.now, march.report, course, march.pace.steps);
+            describe(problem, march.last, march.now, march.report, options, march.stepping.steps);
         break;
       }
       march.accept();
-      outcome.message = course.refused ? course.refused() : "";
+      outcome.message = options.refused ? options.refused() : "";
       if (!outcome.message.empty())
       {
         outcome.kind = Outcome::Kind::diverged;
         break;
       }
     }
-    if (course.until_folding && march.finished() && outcome.message.empty() && course.folded())
+    if (options.until_folding && march.finished() && outcome.message.empty() && options.folded())
       outcome.message = "the mesh has folded; the march ends";
     outcome.last = std::move(march.last);
-    outcome.pace = std::move(march.pace);
+    outcome.stepping = std::move(march.stepping);
     return outcome;
   }
 } // namespace fe

@@ -23,11 +23,11 @@ namespace fe
   };
 
   /// What the march carries from one increment to the next, beside the equilibrium itself.
-  struct Pace
+  struct SteppingState
   {
     std::vector<double> velocity; // unknowns; empty: at rest
     double increment = 0.;        // next one to try; 0: the nominal one
-    int easy = 0;                 // increments since the last difficulty
+    int easy_increments = 0;      // increments since the last difficulty
     int steps = 0, retries = 0, iterations = 0;
     Energies energies;
   };
@@ -37,11 +37,11 @@ namespace fe
   struct Step
   {
     const State &state, &before;
-    const Pace &pace;
+    const SteppingState &stepping;
     NewtonReport newton;
   };
 
-  struct Course
+  struct SteppingOptions
   {
     double end = 0.; // time at which to stop
     int load_steps = 100;
@@ -64,11 +64,12 @@ namespace fe
     } kind = Kind::complete;
     std::string message; // time, step, place, reason and remedy where no equilibrium was found
     State last;          // last equilibrium
-    Pace pace;
+    SteppingState stepping;
   };
 
-  /// March from `initial`, an equilibrium. `pace` is that of an earlier run which goes on here.
-  Outcome follow(const Problem &, LinearSystem &, State initial, const Course &, Pace pace = {});
+  /// March from `initial`, an equilibrium. `stepping` is that of an earlier run which goes on here.
+  Outcome run_load_steps(const Problem &, LinearSystem &, State initial, const SteppingOptions &,
+                         SteppingState stepping = {});
 
   /// Elastic energy and plastic work of a state, whole on every process.
   Energies stored_energies(const Problem &, const State &);

@@ -103,7 +103,7 @@ namespace fe
           (in(0.5 * (a + b)) == first ? a : b) = 0.5 * (a + b);
         return 0.5 * (a + b);
       };
-      constexpr int looks = 32;
+      constexpr int intervals = 32;
       bool loaded = in(0.);
       double from = 0.;
       const auto close = [&](const double to)
@@ -111,9 +111,9 @@ namespace fe
         if (to - from > 1e-6) // else it only touches the corner of an edge beside it
           parts.push_back({side, from, to});
       };
-      for (int k = 0; k < looks; ++k)
+      for (int k = 0; k < intervals; ++k)
       {
-        const double a = k / double(looks), b = (k + 1) / double(looks);
+        const double a = k / double(intervals), b = (k + 1) / double(intervals);
         if (in(b) == loaded)
           continue;
         if (loaded)

@@ -8,7 +8,7 @@ namespace fe
     const Increment increment = decompose(f);
     const Vector4 rotated = rotate(old_stress, increment.angle);
     const Vector4 trial = rotated + elastic_stress(material, increment.stretch); // Eq. (4)
-    const Returned returned = return_to_yield(material, trial, dt);
+    const ReturnMappingResult returned = return_to_yield(material, trial, dt);
 
     Matrix4 derivative = 2. * material.shear_modulus * increment.stretch_derivative;
     const Eigen::RowVector4d dilation =

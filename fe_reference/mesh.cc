@@ -12,7 +12,7 @@
 
 namespace fe
 {
-  bool only_rectangles(const std::vector<scene::Body> &bodies)
+  bool are_all_rectangles(const std::vector<scene::Body> &bodies)
   {
     return std::all_of(bodies.begin(), bodies.end(),
                        [](const scene::Body &body)
@@ -80,7 +80,7 @@ namespace fe
       if (bytes <= has)
         return;
       const bool asked = scene.fe && scene.fe->cells[0] > 0;
-      const scene::Place &place = asked ? scene.fe->place : scene.domain.place;
+      const scene::SourceLocation &place = asked ? scene.fe->place : scene.domain.place;
       std::ostringstream text;
       text.precision(3);
       text << place.file << ":" << place.line << ": " << (asked ? "fe.cells" : "domain.cells")
@@ -108,7 +108,7 @@ namespace fe
       for (const auto &cell : mesh.cells)
         cell_vertices.insert(cell_vertices.end(), cell.begin(), cell.end());
       const std::vector<int> piece =
-          pieces(static_cast<int>(mesh.vertices.size()), cell_vertices, 4);
+          connected_pieces(static_cast<int>(mesh.vertices.size()), cell_vertices, 4);
       const scene::Box box = scene::bounding_box(scene.bodies);
       const double tolerance = matching_tolerance(box);
       std::vector<char> held(mesh.vertices.size(), 0);
@@ -124,7 +124,7 @@ namespace fe
         if (!held[piece[i]])
         {
           const Point &p = mesh.vertices[i];
-          const scene::Place &place = scene.bodies.front().place;
+          const scene::SourceLocation &place = scene.bodies.front().place;
           throw scene::BadScene(
               place.file + ":" + std::to_string(place.line) + ": body: the material near (" +
               scene::number_text(p[0]) + ", " + scene::number_text(p[1]) +
@@ -139,7 +139,7 @@ namespace fe
     return 1e-7 * (bodies.upper - bodies.lower).norm();
   }
 
-  double filled(const scene::Scene &scene, const QuadMesh &mesh)
+  double filled_fraction(const scene::Scene &scene, const QuadMesh &mesh)
   {
     double area = 0.;
     for (const auto &cell : mesh.cells)
@@ -171,7 +171,7 @@ namespace fe
     const double grading = scene.fe ? scene.fe->grading : 0.;
     const std::vector<scene::Where> parts = parts_of(scene);
     QuadMesh mesh =
-        only_rectangles(scene.bodies)
+        are_all_rectangles(scene.bodies)
             ? mesh_rectangles(cut(scene.bodies, scene.domain), cells, grading, scene.supports,
                               parts)
             : mesh_outline(scene.bodies, scene.domain, {size[0] / cells[0], size[1] / cells[1]},

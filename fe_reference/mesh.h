@@ -34,10 +34,10 @@ namespace fe
   double matching_tolerance(const scene::Box &bodies);
 
   /// Area of the mesh over that within the bodies' outline.
-  double filled(const scene::Scene &, const QuadMesh &);
+  double filled_fraction(const scene::Scene &, const QuadMesh &);
 
   /// Then the mesh is structured, else Gmsh makes it.
-  bool only_rectangles(const std::vector<scene::Body> &);
+  bool are_all_rectangles(const std::vector<scene::Body> &);
 
   /// Throws scene::BadScene if a body has no area or the bodies fall apart into pieces of which one
   /// touches neither a support nor a symmetry side (it could move freely).

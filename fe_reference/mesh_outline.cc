@@ -180,7 +180,7 @@ namespace fe
       return sides;
     }
 
-    [[noreturn]] void refuse_crossing(const scene::Place &place)
+    [[noreturn]] void refuse_crossing(const scene::SourceLocation &place)
     {
       throw scene::BadScene(place.file + ":" + std::to_string(place.line) +
                             ": body: the bodies' outline crosses or touches itself and cannot be "

@@ -119,7 +119,7 @@ namespace fe
           continue;
         report.remedy = "a support that takes up the force";
         report.worst_unknown = pin;
-        report.trouble = std::string("nothing holds the body in ") + (pin % 2 ? "y" : "x") +
+        report.failure = std::string("nothing holds the body in ") + (pin % 2 ? "y" : "x") +
                          ", yet a net force of " + scene::number_text(force) + " acts on it";
         return false;
       }
@@ -157,7 +157,7 @@ namespace fe
     {
       if (!predict(problem, system, old, now))
       {
-        report.trouble = "an element folds in the first correction";
+        report.failure = "an element folds in the first correction";
         return report;
       }
       Tangent tangent;
@@ -178,22 +178,22 @@ namespace fe
         if (!assemble(problem, old, now, &tangent) ||
             !search(problem, old, now, correction(problem, system, now, tangent), balance.free))
         {
-          report.trouble = "an element folds";
+          report.failure = "an element folds";
           return report;
         }
       }
-      report.trouble = "no equilibrium within " + std::to_string(most_iterations) +
+      report.failure = "no equilibrium within " + std::to_string(most_iterations) +
                        " iterations (residual " + scene::number_text(report.residuals.back()) +
                        " of the largest force)";
     }
     catch (const OutOfMemory &error)
     {
-      report.trouble = error.what();
+      report.failure = error.what();
       report.remedy = "fewer [fe] cells, more memory, or more processes (mpirun)";
     }
     catch (const std::runtime_error &error)
     {
-      report.trouble = error.what();
+      report.failure = error.what();
     }
     return report;
   }

@@ -19,12 +19,12 @@ namespace fe
     bool converged = false;
     int iterations = 0;
     std::vector<double> residuals; // norms over free unknowns, relative to the force scale
-    std::string trouble;           // why not
+    std::string failure;           // why not
     std::string remedy;            // where no smaller increment helps; else empty
     int worst_unknown = 0;         // largest out-of-balance force
   };
 
   /// Find the equilibrium at `now.time` from `old`, starting at `now.u`. On success `now` is
-  /// complete; else it is not usable, `trouble` says why.
+  /// complete; else it is not usable, `failure` says why.
   NewtonReport find_equilibrium(const Problem &, LinearSystem &, const State &old, State &now);
 } // namespace fe

@@ -49,7 +49,7 @@ namespace fe
       return probes;
     }
 
-    bool looks_at_instants(const scene::Probe &probe)
+    bool samples_instants(const scene::Probe &probe)
     {
       return !std::holds_alternative<scene::ReactionProbe>(probe.kind) &&
              !std::holds_alternative<scene::HistoryProbe>(probe.kind);
@@ -75,64 +75,66 @@ namespace fe
     const std::vector<int> &piece = problem.supports.piece;
     several_pieces = std::count(piece.begin(), piece.end(), piece.front()) < d.nodes;
     default_bin = scene::default_bin(scene);
-    const auto watch = [this](const scene::Probe &probe)
+    const auto scheduled = [this](const scene::Probe &probe)
     {
-      watches.push_back({&probe, scene::sample_times(probe, scene.clock.end), false});
-      const std::vector<double> &times = watches.back().times;
+      scheduled_probes.push_back({&probe, scene::sample_times(probe, scene.clock.end), false});
+      const std::vector<double> &times = scheduled_probes.back().times;
       events.insert(events.end(), times.begin(), times.end());
     };
-    std::for_each(scene.probes.begin(), scene.probes.end(), watch);
+    std::for_each(scene.probes.begin(), scene.probes.end(), scheduled);
     energy_asked = std::any_of(scene.probes.begin(), scene.probes.end(),
                                [](const scene::Probe &probe) { return probe.name == "energy"; });
     for (const scene::Probe &probe : own)
-      watches.push_back({&probe, {}, true});
+      scheduled_probes.push_back({&probe, {}, true});
     std::sort(events.begin(), events.end());
     events.erase(std::unique(events.begin(), events.end(),
                              [this](const double a, const double b) { return b - a <= tolerance; }),
                  events.end());
   }
 
-  bool Observer::due(const Watch &watch, const double time) const
+  bool Observer::due(const ScheduledProbe &scheduled, const double time) const
   {
-    return watch.every_step ||
-           std::any_of(watch.times.begin(), watch.times.end(),
+    return scheduled.every_step ||
+           std::any_of(scheduled.times.begin(), scheduled.times.end(),
                        [&](const double sample) { return std::abs(sample - time) <= tolerance; });
   }
 
   void Observer::observe(const Step &step)
   {
     const Stopwatch stopwatch{wall, cpu};
-    watch_folding(step);
+    monitor_folding(step);
     if (several_pieces)
       overlapping = overlap_of_pieces(problem.mesh, problem.supports.piece, step.state.u);
     overlap_time = step.state.time;
     const bool whole =
-        std::any_of(watches.begin(), watches.end(),
-                    [&](const Watch &watch)
-                    { return looks_at_instants(*watch.probe) && due(watch, step.state.time); });
+        std::any_of(scheduled_probes.begin(), scheduled_probes.end(),
+                    [&](const ScheduledProbe &scheduled) {
+                      return samples_instants(*scheduled.probe) && due(scheduled, step.state.time);
+                    });
     std::optional<Snapshot> body;
     if (whole)
-      body.emplace(look_at_body(step));
+      body.emplace(snapshot_of(step));
     on_first_process(
         [&]
         {
           if (!energy_asked)
             history_row("energy", step);
-          for (const Watch &watch : watches)
-            if (!due(watch, step.state.time))
+          for (const ScheduledProbe &scheduled : scheduled_probes)
+            if (!due(scheduled, step.state.time))
               continue;
-            else if (const auto *reaction = std::get_if<scene::ReactionProbe>(&watch.probe->kind))
-              reaction_row(watch.probe->name, reaction->support, step.state);
-            else if (std::holds_alternative<scene::HistoryProbe>(watch.probe->kind))
-              history_row(watch.probe->name, step);
+            else if (const auto *reaction =
+                         std::get_if<scene::ReactionProbe>(&scheduled.probe->kind))
+              reaction_row(scheduled.probe->name, reaction->support, step.state);
+            else if (std::holds_alternative<scene::HistoryProbe>(scheduled.probe->kind))
+              history_row(scheduled.probe->name, step);
             else
-              look_at(*watch.probe, *body, step.state);
+              observe_probe(*scheduled.probe, *body, step.state);
         });
   }
 
-  Snapshot Observer::look_at_body(const Step &step) const
+  Snapshot Observer::snapshot_of(const Step &step) const
   {
-    Snapshot body = look(problem, step.state, step.before);
+    Snapshot body = make_snapshot(problem, step.state, step.before);
     const double rounding = matching_tolerance(scene::bounding_box(scene.bodies));
     body.starts_in = [this, rounding](const Point &X)
     { return scene::signed_distance(scene.bodies, X) >= -rounding; };
@@ -142,17 +144,17 @@ namespace fe
   void Observer::observe_last(const Step &step)
   {
     const Stopwatch stopwatch{wall, cpu};
-    const Snapshot body = look_at_body(step);
+    const Snapshot body = snapshot_of(step);
     on_first_process(
         [&]
         {
-          for (const Watch &watch : watches)
-            if (looks_at_instants(*watch.probe) && !due(watch, step.state.time))
-              look_at(*watch.probe, body, step.state);
+          for (const ScheduledProbe &scheduled : scheduled_probes)
+            if (samples_instants(*scheduled.probe) && !due(scheduled, step.state.time))
+              observe_probe(*scheduled.probe, body, step.state);
         });
   }
 
-  void Observer::watch_folding(const Step &step)
+  void Observer::monitor_folding(const Step &step)
   {
     double smallest = 1.;
     const std::vector<char> folded = folded_cells(problem, step.state.u, smallest);
@@ -211,7 +213,7 @@ namespace fe
     if (!writer)
       return;
     const std::string energy = scene::unit_text(scene::Dimension::energy, scene.units);
-    const Energies &e = step.pace.energies;
+    const Energies &e = step.stepping.energies;
     double area = 0.;
     const Discretisation &d = problem.mesh;
     for (const BoundarySide &side : d.boundary) // area by Green's theorem over the outline
@@ -270,7 +272,7 @@ namespace fe
     }
   }
 
-  void Observer::look_at(const scene::Probe &probe, const Snapshot &body, const State &state)
+  void Observer::observe_probe(const scene::Probe &probe, const Snapshot &body, const State &state)
   {
     if (!writer)
       return;

@@ -30,11 +30,11 @@ namespace fe
     /// `writer` is null on all processes but 0. All must outlive the observer.
     Observer(const scene::Scene &, const Problem &, record::Writer *writer);
 
-    /// All times at which some probe looks, sorted.
+    /// All times at which some probe is sampled, sorted.
     const std::vector<double> &times() const { return events; }
     /// Record what is due at the end of this step. Every process must call it.
     void observe(const Step &);
-    /// Record every probe that looks at single instants once more, whatever the time: the last good
+    /// Record every probe that samples single instants once more, whatever the time: the last good
     /// state of a run that ends early. Every process must call it.
     void observe_last(const Step &);
 
@@ -53,16 +53,16 @@ namespace fe
     double cpu_seconds() const { return cpu; }
 
   private:
-    struct Watch
+    struct ScheduledProbe
     {
       const scene::Probe *probe;
       std::vector<double> times;
       bool every_step = false; // whenever an equilibrium is found, and no step is made for it
     };
-    bool due(const Watch &, double time) const;
-    Snapshot look_at_body(const Step &) const;
-    void watch_folding(const Step &);
-    void look_at(const scene::Probe &, const Snapshot &, const State &);
+    bool due(const ScheduledProbe &, double time) const;
+    Snapshot snapshot_of(const Step &) const;
+    void monitor_folding(const Step &);
+    void observe_probe(const scene::Probe &, const Snapshot &, const State &);
     void reaction_row(const std::string &name, const std::string &support, const State &);
     void history_row(const std::string &name, const Step &);
 
@@ -70,7 +70,7 @@ namespace fe
     const Problem &problem;
     record::Writer *writer;
     std::vector<scene::Probe> own; // reactions that no probe asks for
-    std::vector<Watch> watches;
+    std::vector<ScheduledProbe> scheduled_probes;
     std::vector<double> events;
     double tolerance, default_bin;
     bool energy_asked = false; // by a probe, at its own times

@@ -11,7 +11,7 @@ namespace fe
 {
   namespace
   {
-    double length_between(const Point &a, const Point &b, const OutlineLengths::Lies &lies)
+    double length_between(const Point &a, const Point &b, const OutlineLengths::PointTest &lies)
     {
       return lies(a) && lies(b) && lies(0.5 * (a + b)) ? (b - a).norm() : 0.;
     }
@@ -25,7 +25,7 @@ namespace fe
     outlines = scene::outline(scene.bodies, scene.domain, 0.25 * longest);
   }
 
-  double OutlineLengths::of_mesh(const Lies &lies) const
+  double OutlineLengths::of_mesh(const PointTest &lies) const
   {
     double length = 0.;
     for (const BoundarySide &side : mesh.boundary)
@@ -34,8 +34,8 @@ namespace fe
     return length;
   }
 
-  void OutlineLengths::check(const Lies &lies, const double length, const scene::Place &place,
-                             const std::string &who) const
+  void OutlineLengths::check(const PointTest &lies, const double length,
+                             const scene::SourceLocation &place, const std::string &who) const
   {
     double expected = 0.;
     for (const scene::Polyline &outline : outlines)

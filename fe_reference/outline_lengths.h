@@ -17,13 +17,14 @@ namespace fe
   public:
     OutlineLengths(const scene::Scene &, const Discretisation &);
 
-    using Lies = std::function<bool(const Point &)>;
+    using PointTest = std::function<bool(const Point &)>;
 
     /// Length of the mesh's outline whose sides lie there.
-    double of_mesh(const Lies &) const;
+    double of_mesh(const PointTest &) const;
     /// Throws scene::BadScene if `length` of the mesh is `held` (or loaded, as a text) by `who`,
     /// yet the bodies' outline lies there for a length that differs by more than that.
-    void check(const Lies &, double length, const scene::Place &, const std::string &who) const;
+    void check(const PointTest &, double length, const scene::SourceLocation &,
+               const std::string &who) const;
 
   private:
     const Discretisation &mesh;

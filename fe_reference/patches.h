@@ -13,12 +13,12 @@ namespace fe
     double area;
   };
 
-  /// Calls `see` for split x split samples of every patch of the body, or of one cell.
-  template <class See>
-  void for_each_sample(const Snapshot &body, int split, scene::Frame frame, const See &see);
-  template <class See>
+  /// Calls `visit` for split x split samples of every patch of the body, or of one cell.
+  template <class Visit>
+  void for_each_sample(const Snapshot &body, int split, scene::Frame frame, const Visit &visit);
+  template <class Visit>
   void for_each_sample_of(const Snapshot &body, int cell, int split, scene::Frame frame,
-                          const See &see);
+                          const Visit &visit);
 
   /// Integration point whose patch holds the unit coordinates.
   int patch_of(const Discretisation &, const Point &unit);
@@ -26,17 +26,17 @@ namespace fe
   /// Bounds of the one-dimensional patches: 0, ..., 1 (degree + 2 numbers).
   std::vector<double> patch_bounds(int degree);
 
-  template <class See>
+  template <class Visit>
   void for_each_sample(const Snapshot &body, const int split, const scene::Frame frame,
-                       const See &see)
+                       const Visit &visit)
   {
     for (int cell = 0; cell < body.problem.mesh.cells; ++cell)
-      for_each_sample_of(body, cell, split, frame, see);
+      for_each_sample_of(body, cell, split, frame, visit);
   }
 
-  template <class See>
+  template <class Visit>
   void for_each_sample_of(const Snapshot &body, const int cell, const int split,
-                          const scene::Frame frame, const See &see)
+                          const scene::Frame frame, const Visit &visit)
   {
     const Discretisation &d = body.problem.mesh;
     const std::vector<double> bound = patch_bounds(d.degree);
@@ -59,7 +59,7 @@ namespace fe
         if (frame == scene::Frame::material)
           sample.x = position_in(body, {cell, sample.unit}, frame);
         if (sample.area > 0.)
-          see(sample);
+          visit(sample);
       }
     }
   }

@@ -4,8 +4,8 @@
 
 namespace fe
 {
-  std::vector<int> pieces(const int vertices, const std::vector<int> &cell_vertices,
-                          const int per_cell)
+  std::vector<int> connected_pieces(const int vertices, const std::vector<int> &cell_vertices,
+                                    const int per_cell)
   {
     std::vector<int> piece(vertices);
     std::iota(piece.begin(), piece.end(), 0);

@@ -37,7 +37,7 @@ namespace fe
                  const std::vector<double> &sampling_times)
   {
     // Yielding takes more corrections than the elastic steps in which every load begins; so many
-    // on the average of the cases here, whose runs take 0.4 to 1.3 of what this foretells.
+    // on the average of the cases here, whose runs take 0.4 to 1.3 of what this forecasts.
     constexpr double iterations_when_yielding = 3.;
     constexpr double budget_s = 0.5;
     constexpr int most_steps = 10;
@@ -51,30 +51,30 @@ namespace fe
     LinearSystem system(problem.mesh);
     const double begin = record::cpu_seconds();
     // The first step also orders the matrix and touches all memory for the first time: what it
-    // takes counts once, the steps after it are the pace of the rest.
+    // takes counts once, the steps after it set the pace of the rest.
     double first_end = begin, last_end = begin;
     int first_iterations = 0, last_iterations = 0, steps = 0;
-    Course course;
-    course.load_steps = most_steps;
-    course.end = most_steps * scene.clock.end / load_steps;
-    course.observe = [&](const Step &step)
+    SteppingOptions options;
+    options.load_steps = most_steps;
+    options.end = most_steps * scene.clock.end / load_steps;
+    options.observe = [&](const Step &step)
     {
-      steps = step.pace.steps;
-      last_end = record::cpu_seconds(), last_iterations = step.pace.iterations;
+      steps = step.stepping.steps;
+      last_end = record::cpu_seconds(), last_iterations = step.stepping.iterations;
       if (steps <= 1)
         first_end = last_end, first_iterations = last_iterations;
     };
-    course.interrupted = [&]
+    options.interrupted = [&]
     {
       const bool enough = steps >= 2 && record::cpu_seconds() - begin > budget_s;
       return sum_over_processes(enough ? 1. : 0.) > 0.;
     };
-    const Outcome outcome = follow(problem, system, initial_state(problem, scene), course);
+    const Outcome outcome = run_load_steps(problem, system, initial_state(problem, scene), options);
     const bool paced = last_iterations > first_iterations;
     const double iterations =
-        std::max(1, paced ? last_iterations - first_iterations : outcome.pace.iterations);
+        std::max(1, paced ? last_iterations - first_iterations : outcome.stepping.iterations);
     const double spent = paced ? last_end - first_end : record::cpu_seconds() - begin;
-    const double of_a_step = iterations / std::max(1, paced ? steps - 1 : outcome.pace.steps);
+    const double of_a_step = iterations / std::max(1, paced ? steps - 1 : outcome.stepping.steps);
     const double each = scene.solid->yield_stress && steps * 2 < plan.load_steps
                             ? std::max(iterations_when_yielding, of_a_step)
                             : of_a_step;

@@ -14,7 +14,7 @@ namespace fe
     int cells = 0, unknowns = 0, integration_points = 0, load_steps = 0;
     std::map<std::string, double> bytes; // by what they are for, see memory.h
     double seconds = 0.;                 // of CPU
-    double resident_bytes = 0.;          // of one process; 0: not foretold
+    double resident_bytes = 0.;          // of one process; 0: not predicted
   };
 
   /// Counts the problem and takes its first load steps: what these cost and hold on this machine is

@@ -9,7 +9,7 @@ namespace fe
     constexpr int width = 10;
   }
 
-  std::vector<double> whole_points(const Discretisation &d, const std::vector<PointState> &points)
+  std::vector<double> gather_points(const Discretisation &d, const std::vector<PointState> &points)
   {
     std::vector<double> numbers(points.size() * width, 0.);
     for (std::size_t k = 0; k < points.size(); ++k)
@@ -25,7 +25,7 @@ namespace fe
     return numbers;
   }
 
-  std::vector<PointState> points_from(const std::vector<double> &numbers)
+  std::vector<PointState> unpack_points(const std::vector<double> &numbers)
   {
     std::vector<PointState> points(numbers.size() / width);
     for (std::size_t k = 0; k < points.size(); ++k)

@@ -56,7 +56,7 @@ namespace fe
       const Material &material = body.problem.material;
       const Point a = positions.front(), direction = positions.back() - a;
       const double length = direction.norm(), last = static_cast<double>(positions.size()) - 1.;
-      const auto see = [&](const PatchSample &s)
+      const auto visit = [&](const PatchSample &s)
       {
         // Only points of the line within reach of the sample, by its projection on the line.
         const double along = length > 0. ? (s.x - a).dot(direction) / (length * length) * last : 0.;
@@ -82,7 +82,7 @@ namespace fe
         if (const scene::Box box = box_of_cell(body, cell, frame);
             (box.upper.array() >= lower.array()).all() &&
             (box.lower.array() <= upper.array()).all())
-          for_each_sample_of(body, cell, 4, frame, see);
+          for_each_sample_of(body, cell, 4, frame, visit);
       return bins;
     }
 

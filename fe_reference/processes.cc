@@ -30,7 +30,7 @@ namespace fe
   }
   void on_first_process(const std::function<void()> &work)
   {
-    std::string trouble;
+    std::string failure;
     if (process_number() == 0)
       try
       {
@@ -38,13 +38,13 @@ namespace fe
       }
       catch (const std::exception &error)
       {
-        trouble = *error.what() ? error.what() : "unknown trouble";
+        failure = *error.what() ? error.what() : "unknown trouble";
       }
-    if (sum_over_processes(trouble.empty() ? 0. : 1.) > 0.)
-      throw std::runtime_error(trouble.empty() ? "process 0 is in trouble" : trouble);
+    if (sum_over_processes(failure.empty() ? 0. : 1.) > 0.)
+      throw std::runtime_error(failure.empty() ? "process 0 is in trouble" : failure);
   }
 
-  void share_trouble(const std::string &what, const int exit_code)
+  void abort_all_processes(const std::string &what, const int exit_code)
   {
     using namespace std::chrono;
     MPI_Request all = MPI_REQUEST_NULL;

@@ -16,9 +16,9 @@ namespace fe
   /// std::runtime_error, process 0 with the same text. Every process must call it.
   void on_first_process(const std::function<void()> &work);
 
-  /// In trouble: waits until all processes are, 20 s at most, since one that goes its own way
+  /// After a failure: waits until all processes have one, 20 s at most, since one that goes its own way
   /// leaves the others waiting for it for ever. After that it says `what` and ends them all.
-  void share_trouble(const std::string &what, int exit_code);
+  void abort_all_processes(const std::string &what, int exit_code);
 
   int process_number(); // 0 is the one that reads, writes and speaks
   int number_of_processes();

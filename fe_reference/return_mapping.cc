@@ -51,9 +51,10 @@ namespace fe
     return norm_squared(deviator(stress)) / (4. * material.shear_modulus) + p * p / (2. * bulk);
   }
 
-  Returned return_to_yield(const Material &material, const Vector4 &trial, const double dt)
+  ReturnMappingResult return_to_yield(const Material &material, const Vector4 &trial,
+                                      const double dt)
   {
-    Returned result;
+    ReturnMappingResult result;
     result.stress = trial;
     if (!material.yield_stress)
       return result;

@@ -38,7 +38,7 @@ namespace fe
   /// Elastic energy per volume of a stress, sigma : C^-1 : sigma / 2.
   double elastic_energy(const Material &, const Vector4 &stress);
 
-  struct Returned
+  struct ReturnMappingResult
   {
     Vector4 stress = Vector4::Zero();
     double plastic_increment = 0.;            // equivalent, >= 0
@@ -46,5 +46,5 @@ namespace fe
   };
 
   /// Return `trial` to the yield surface (or towards it, for Perzyna, within the time `dt`).
-  Returned return_to_yield(const Material &, const Vector4 &trial, double dt);
+  ReturnMappingResult return_to_yield(const Material &, const Vector4 &trial, double dt);
 } // namespace fe

@@ -51,7 +51,7 @@ namespace fe
     // A coarse mesh of a fine outline leaves corners out: said, since nothing else shows it.
     std::string missing_area(const scene::Scene &scene, const QuadMesh &mesh)
     {
-      const double ratio = filled(scene, mesh);
+      const double ratio = filled_fraction(scene, mesh);
       return std::abs(ratio - 1.) < 1e-3
                  ? ""
                  : "  mesh     has " + scene::number_text(1e-3 * std::round(1e5 * ratio)) +
@@ -74,7 +74,7 @@ namespace fe
       }
       void open_record(const std::optional<double> &resumed_at);
       record::Profile profile(const Problem &, const LinearSystem &, const Observer &,
-                              const Pace &) const;
+                              const SteppingState &) const;
       int conclude(const Problem &, const LinearSystem &, Observer &, const Outcome &);
     };
 
@@ -85,7 +85,8 @@ namespace fe
           [&]
           {
             std::filesystem::create_directories(command.output);
-            auto provenance = record::collect("fe_reference", command.joined, command.threads);
+            auto provenance =
+                record::collect_provenance("fe_reference", command.joined, command.threads);
             add_versions(provenance, scene);
             provenance["processes"] = std::to_string(processes);
             if (resumed_at)
@@ -98,19 +99,19 @@ namespace fe
     }
 
     record::Profile Run::profile(const Problem &problem, const LinearSystem &system,
-                                 const Observer &observer, const Pace &pace) const
+                                 const Observer &observer, const SteppingState &stepping) const
     {
       const double wall = record::wall_seconds() - wall_start, cpu = record::cpu_seconds();
       record::Profile profile;
       profile.parts = {{"set-up", setup_wall, setup_cpu, 1},
                        {"solve", wall - setup_wall - observer.wall_seconds(),
-                        cpu - setup_cpu - observer.cpu_seconds(), pace.steps},
+                        cpu - setup_cpu - observer.cpu_seconds(), stepping.steps},
                        {"output", observer.wall_seconds(), observer.cpu_seconds(), 1},
                        {"factorisations", system.factorisation_seconds(),
                         system.factorisation_cpu_seconds(), system.factorisations()}};
-      profile.numbers = {{"steps", pace.steps},
-                         {"retries", pace.retries},
-                         {"newton_iterations", pace.iterations},
+      profile.numbers = {{"steps", stepping.steps},
+                         {"retries", stepping.retries},
+                         {"newton_iterations", stepping.iterations},
                          {"cells", problem.mesh.cells},
                          {"points", problem.mesh.cells * problem.mesh.points_per_cell},
                          {"unknowns", problem.mesh.unknowns()},
@@ -129,7 +130,7 @@ namespace fe
       const bool diverged = outcome.kind == Outcome::Kind::diverged;
       if (outcome.last.time < scene.clock.end * (1. - 1e-9) ||
           outcome.last.time > scene.clock.end * (1. + 1e-9))
-        observer.observe_last({outcome.last, outcome.last, outcome.pace, {}});
+        observer.observe_last({outcome.last, outcome.last, outcome.stepping, {}});
       if (!first)
         return diverged ? record::numerical_trouble : record::all_right;
       writer->attribute("largest_load_factor", outcome.last.time / scene.clock.end);
@@ -156,32 +157,32 @@ namespace fe
         std::cerr << "fe_reference: " << outcome.message << "\nrepeat with: " << command.joined
                   << '\n';
       }
-      writer->finish(profile(problem, system, observer, outcome.pace),
+      writer->finish(profile(problem, system, observer, outcome.stepping),
                      diverged ? "failed: " + outcome.message : "complete");
       std::filesystem::remove(checkpoint_path());
       std::cout << command.record_path() << ": " << (diverged ? "failed" : "complete") << ", "
-                << outcome.pace.steps << " steps, " << outcome.pace.iterations
+                << outcome.stepping.steps << " steps, " << outcome.stepping.iterations
                 << " iterations, largest load factor " << outcome.last.time / scene.clock.end
                 << ", smallest Jacobian " << outcome.last.smallest_jacobian << '\n';
       return diverged ? record::numerical_trouble : record::all_right;
     }
 
     // How far and in what steps to march; `observe` is left to the caller.
-    Course make_course(const scene::Scene &scene, const Problem &problem, const Observer &observer,
-                       const std::function<bool()> &stop_asked)
+    SteppingOptions make_options(const scene::Scene &scene, const Problem &problem,
+                                 const Observer &observer, const std::function<bool()> &stop_asked)
     {
       const scene::Fe settings = scene.fe.value_or(scene::Fe{});
-      Course course;
-      course.end = scene.clock.end;
-      course.load_steps = settings.load_steps;
-      course.sampling_times = observer.times();
-      course.until_folding = settings.past_folding;
-      course.folded = [&problem, &observer]
+      SteppingOptions options;
+      options.end = scene.clock.end;
+      options.load_steps = settings.load_steps;
+      options.sampling_times = observer.times();
+      options.until_folding = settings.past_folding;
+      options.folded = [&problem, &observer]
       { return observer.folded_cells_at_end() > overlooked_folds * problem.mesh.cells; };
-      course.interrupted = [&stop_asked]
+      options.interrupted = [&stop_asked]
       { return sum_over_processes(stop_asked() ? 1. : 0.) > 0.; };
-      course.refused = [&observer] { return observer.overlap(); };
-      return course;
+      options.refused = [&observer] { return observer.overlap(); };
+      return options;
     }
   } // namespace
 
@@ -198,18 +199,18 @@ namespace fe
   namespace
   {
     // From the start or from what was saved.
-    Outcome follow_together(const scene::Scene &scene, const Problem &problem, LinearSystem &system,
-                            const Course &course, std::optional<Saved> saved)
+    Outcome run_together(const scene::Scene &scene, const Problem &problem, LinearSystem &system,
+                         const SteppingOptions &options, std::optional<SavedState> saved)
     {
       try
       {
-        return saved ? follow(problem, system, std::move(saved->state), course,
-                              std::move(saved->pace))
-                     : follow(problem, system, initial_state(problem, scene), course);
+        return saved ? run_load_steps(problem, system, std::move(saved->state), options,
+                                      std::move(saved->stepping))
+                     : run_load_steps(problem, system, initial_state(problem, scene), options);
       }
       catch (const std::exception &error) // here, since the processes part together with `system`
       {
-        share_trouble(error.what(), record::numerical_trouble);
+        abort_all_processes(error.what(), record::numerical_trouble);
         throw;
       }
     }
@@ -226,7 +227,7 @@ namespace fe
         std::cerr << banner(scene) << pins(problem) << missing_area(scene, mesh);
       LinearSystem system(problem.mesh);
 
-      std::optional<Saved> saved;
+      std::optional<SavedState> saved;
       if (command.resume)
         saved = load(run.checkpoint_path(), scene, problem);
       run.open_record(saved ? std::optional<double>(saved->state.time) : std::nullopt);
@@ -241,30 +242,30 @@ namespace fe
       record::Progress progress(std::cerr, record::Progress::style_of_stderr(!run.first),
                                 "fe_reference " + scene.title, begin, scene.clock.end);
       double last_checkpoint = record::wall_seconds();
-      const auto checkpoint = [&](const State &state, const Pace &pace)
+      const auto checkpoint = [&](const State &state, const SteppingState &stepping)
       {
         on_first_process([&] { run.writer->flush(); });
-        save(run.checkpoint_path(), scene, problem, state, pace, observer.folding());
+        save(run.checkpoint_path(), scene, problem, state, stepping, observer.folding());
         last_checkpoint = record::wall_seconds();
       };
 
-      Course course = make_course(scene, problem, observer, stop_asked);
-      course.observe = [&](const Step &step)
+      SteppingOptions options = make_options(scene, problem, observer, stop_asked);
+      options.observe = [&](const Step &step)
       {
         observer.observe(step);
         std::ostringstream now;
-        now << "step " << step.pace.steps << ", " << step.newton.iterations
+        now << "step " << step.stepping.steps << ", " << step.newton.iterations
             << " iterations, smallest Jacobian " << step.state.smallest_jacobian;
         progress.update(step.state.time, now.str());
         const double waited = record::wall_seconds() - last_checkpoint;
         if (-minimum_over_processes(-waited) > seconds_between_checkpoints)
-          checkpoint(step.state, step.pace);
+          checkpoint(step.state, step.stepping);
       };
 
-      const Outcome outcome = follow_together(scene, problem, system, course, std::move(saved));
+      const Outcome outcome = run_together(scene, problem, system, options, std::move(saved));
       if (outcome.kind == Outcome::Kind::interrupted)
       {
-        checkpoint(outcome.last, outcome.pace);
+        checkpoint(outcome.last, outcome.stepping);
         progress.finish("interrupted; go on with --resume");
         return record::interrupted;
       }

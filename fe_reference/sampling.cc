@@ -47,7 +47,7 @@ namespace fe
     return folded;
   }
 
-  Snapshot look(const Problem &problem, const State &now, const State &before)
+  Snapshot make_snapshot(const Problem &problem, const State &now, const State &before)
   {
     std::vector<double> velocity(now.u.size(), 0.);
     if (now.time > before.time)
@@ -58,7 +58,7 @@ namespace fe
             now.time,
             now.u,
             std::move(velocity),
-            points_from(whole_points(problem.mesh, now.points)),
+            unpack_points(gather_points(problem.mesh, now.points)),
             folded_cells(problem, now.u, smallest)};
   }
 

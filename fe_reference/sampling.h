@@ -1,4 +1,4 @@
-// Looking at the deformed body: where is a point, what is the mean of a quantity around it.
+// Sampling the deformed body: where is a point, what is the mean of a quantity around it.
 //
 // Unlike discretisations are compared by means over fixed squares, never by nodal averages. Each
 // integration point stands for its own patch of the cell (in the unit square the patches are the
@@ -31,7 +31,7 @@ namespace fe
 
   /// Gathers the points of all processes; every process must call it. `velocity` is the mean over
   /// the increment from `before`, zero if they are the same.
-  Snapshot look(const Problem &, const State &now, const State &before);
+  Snapshot make_snapshot(const Problem &, const State &now, const State &before);
 
   /// Cells in which the mesh folds at a node, and the smallest nodal det F.
   std::vector<char> folded_cells(const Problem &, const std::vector<double> &u, double &smallest);

@@ -10,7 +10,8 @@ namespace fe
   namespace
   {
     void write(const std::string &path, const scene::Scene &scene, const State &state,
-               const std::vector<double> &points, const Pace &pace, const Folding &folding)
+               const std::vector<double> &points, const SteppingState &stepping,
+               const Folding &folding)
     {
       record::CheckpointFile checkpoint(path, scene);
       checkpoint.put("time", state.time);
@@ -20,11 +21,12 @@ namespace fe
       checkpoint.put("internal", state.internal);
       checkpoint.put("external", state.external);
       checkpoint.put("points", points);
-      checkpoint.put("velocity", pace.velocity);
-      checkpoint.put("pace", std::vector<double>{pace.increment, double(pace.easy),
-                                                 double(pace.steps), double(pace.retries),
-                                                 double(pace.iterations), pace.energies.external,
-                                                 pace.energies.elastic, pace.energies.plastic});
+      checkpoint.put("velocity", stepping.velocity);
+      checkpoint.put("pace",
+                     std::vector<double>{stepping.increment, double(stepping.easy_increments),
+                                         double(stepping.steps), double(stepping.retries),
+                                         double(stepping.iterations), stepping.energies.external,
+                                         stepping.energies.elastic, stepping.energies.plastic});
       checkpoint.put("folding", std::vector<double>{folding.last_valid, folding.time,
                                                     static_cast<double>(folding.cell)});
       checkpoint.finish();
@@ -32,16 +34,16 @@ namespace fe
   } // namespace
 
   void save(const std::string &path, const scene::Scene &scene, const Problem &problem,
-            const State &state, const Pace &pace, const Folding &folding)
+            const State &state, const SteppingState &stepping, const Folding &folding)
   {
-    const std::vector<double> points = whole_points(problem.mesh, state.points);
-    on_first_process([&] { write(path, scene, state, points, pace, folding); });
+    const std::vector<double> points = gather_points(problem.mesh, state.points);
+    on_first_process([&] { write(path, scene, state, points, stepping, folding); });
   }
 
-  Saved load(const std::string &path, const scene::Scene &scene, const Problem &problem)
+  SavedState load(const std::string &path, const scene::Scene &scene, const Problem &problem)
   {
     const record::Checkpoint checkpoint = record::Checkpoint::load(path, scene);
-    Saved saved;
+    SavedState saved;
     State &state = saved.state;
     state.time = checkpoint.number("time");
     state.smallest_jacobian = checkpoint.number("smallest_jacobian");
@@ -49,20 +51,20 @@ namespace fe
     state.u = checkpoint.get<double>("u");
     state.internal = checkpoint.get<double>("internal");
     state.external = checkpoint.get<double>("external");
-    state.points = points_from(checkpoint.get<double>("points"));
+    state.points = unpack_points(checkpoint.get<double>("points"));
     const Discretisation &d = problem.mesh;
     if (static_cast<int>(state.u.size()) != d.unknowns() ||
         static_cast<int>(state.points.size()) != d.cells * d.points_per_cell)
       throw std::runtime_error(path + ": made on another mesh; start afresh with --force");
-    Pace &pace = saved.pace;
-    pace.velocity = checkpoint.get<double>("velocity");
+    SteppingState &stepping = saved.stepping;
+    stepping.velocity = checkpoint.get<double>("velocity");
     const std::vector<double> &numbers = checkpoint.get<double>("pace");
-    pace.increment = numbers.at(0);
-    pace.easy = static_cast<int>(numbers.at(1));
-    pace.steps = static_cast<int>(numbers.at(2));
-    pace.retries = static_cast<int>(numbers.at(3));
-    pace.iterations = static_cast<int>(numbers.at(4));
-    pace.energies = {numbers.at(5), numbers.at(6), numbers.at(7)};
+    stepping.increment = numbers.at(0);
+    stepping.easy_increments = static_cast<int>(numbers.at(1));
+    stepping.steps = static_cast<int>(numbers.at(2));
+    stepping.retries = static_cast<int>(numbers.at(3));
+    stepping.iterations = static_cast<int>(numbers.at(4));
+    stepping.energies = {numbers.at(5), numbers.at(6), numbers.at(7)};
     const std::vector<double> &folding = checkpoint.get<double>("folding");
     saved.folding = {folding.at(0), folding.at(1), static_cast<int>(folding.at(2))};
     return saved;

@@ -1,4 +1,4 @@
-// An equilibrium and the pace of the march, saved so that a run goes on to the same bits.
+// An equilibrium and the state of the load stepping, saved so that a run goes on to the same bits.
 #pragma once
 
 #include "observer.h"
@@ -8,15 +8,15 @@ namespace fe
 {
   /// Every process must call it; process 0 writes. `points` are gathered from all.
   void save(const std::string &path, const scene::Scene &, const Problem &, const State &,
-            const Pace &, const Folding &);
+            const SteppingState &, const Folding &);
 
-  struct Saved
+  struct SavedState
   {
     State state;
-    Pace pace;
+    SteppingState stepping;
     Folding folding;
   };
   /// Throws std::runtime_error if there is no such file, it belongs to another scene or to another
   /// mesh.
-  Saved load(const std::string &path, const scene::Scene &, const Problem &);
+  SavedState load(const std::string &path, const scene::Scene &, const Problem &);
 } // namespace fe

@@ -60,7 +60,7 @@ namespace fe
     void pin_floating_directions(const Discretisation &d, Supports &supports)
     {
       const std::vector<int> &piece = supports.piece =
-          pieces(d.nodes, d.cell_node, d.nodes_per_cell);
+          connected_pieces(d.nodes, d.cell_node, d.nodes_per_cell);
       std::map<int, std::vector<int>> nodes_of;
       for (int n = 0; n < d.nodes; ++n)
         nodes_of[piece[n]].push_back(n);
@@ -88,8 +88,8 @@ namespace fe
                        const double tolerance)
     {
       const OutlineLengths lengths(scene, d);
-      const auto check =
-          [&](const OutlineLengths::Lies &lies, const scene::Place &place, const std::string &who)
+      const auto check = [&](const OutlineLengths::PointTest &lies,
+                             const scene::SourceLocation &place, const std::string &who)
       { lengths.check(lies, lengths.of_mesh(lies), place, who); };
       for (const scene::Support &support : scene.supports)
         if (!std::holds_alternative<scene::Box>(support.where))

@@ -12,7 +12,7 @@ namespace fe
   {
     provenance["deal.II"] = DEAL_II_PACKAGE_VERSION;
     provenance["trilinos"] = TRILINOS_VERSION_STRING;
-    if (!only_rectangles(scene.bodies))
+    if (!are_all_rectangles(scene.bodies))
       provenance["gmsh"] = GMSH_API_VERSION;
   }
 } // namespace fe

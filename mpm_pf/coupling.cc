@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "medium/numerical_error.h"
 #include "medium/sums.h"
-#include "medium/trouble.h"
 #include "scene/value.h"
 #include "solid/growing.h"
 #include "solid/moving_walls.h"
@@ -24,12 +24,12 @@ namespace
     return {w.phase->value, *w.mesh, between};
   }
 
-  bool grows_its_points(const World &w)
+  bool grows_points(const World &w)
   {
     return w.solid && w.growth && w.scene->growth;
   }
 
-  bool pressed_upon(const World &w)
+  bool is_loaded(const World &w)
   {
     return !w.walls ||
            std::any_of(w.walls->walls.begin(), w.walls->walls.end(),
@@ -52,12 +52,13 @@ namespace
     for (medium::Wall &wall : w.walls->walls)
       if (!wall.touched &&
           !solid::reaction(*w.solid, solid::wall_name(wall.side)).impulse.isZero(0.))
-        medium::touch(wall, *w.walls, *w.mesh, time);
+        medium::record_contact(wall, *w.walls, *w.mesh, time);
   }
 
   /// The solid's nodal velocity on the mesh; 1 in the result where it rests on enough mass.
-  medium::Field<unsigned char> spread(const solid::NodalVelocity &mean, const double full_mass,
-                                      const medium::Mesh &mesh, medium::Velocity &velocity)
+  medium::Field<unsigned char> copy_velocity(const solid::NodalVelocity &mean,
+                                             const double full_mass, const medium::Mesh &mesh,
+                                             medium::Velocity &velocity)
   {
     medium::Field<unsigned char> material(mesh);
     std::size_t n = 0;
@@ -92,9 +93,9 @@ namespace
   }
 
   /// The melt's fields end at the walls' new places.
-  void settle(World &w)
+  void update_cuts(World &w)
   {
-    medium::settle(*w.walls, *w.mesh, walled_fields(w));
+    medium::update_cuts(*w.walls, *w.mesh, walled_fields(w));
     if (w.orientation && w.orientation->varying())
       melt::refresh(*w.orientation, *w.mesh);
   }
@@ -110,10 +111,10 @@ namespace
                          w.walls ? &w.walls->cuts : nullptr},
                         dt / static_cast<double>(steps), steps);
     }
-    catch (const medium::NumericalTrouble &trouble) // which knows its steps, not the time
+    catch (const medium::NumericalError &error) // which knows its steps, not the time
     {
-      throw medium::NumericalTrouble("from time " + scene::number_text(w.time) + " on, " +
-                                     trouble.what());
+      throw medium::NumericalError("from time " + scene::number_text(w.time) + " on, " +
+                                   error.what());
     }
   }
 } // namespace
@@ -127,39 +128,40 @@ void move_walls(World &w, const double dt)
 {
   const Stopwatch watch(w, "walls");
   if (w.phase)
-    medium::watch(*w.walls, w.phase->value, *w.mesh, w.time,
-                  w.solid && !w.scene->growth ? medium::Contact::push : medium::Contact::front);
+    medium::start_walls(*w.walls, w.phase->value, *w.mesh, w.time,
+                        w.solid && !w.scene->growth ? medium::Contact::push
+                                                    : medium::Contact::front);
   else
-    medium::watch(*w.walls, w.time);
+    medium::start_walls(*w.walls, w.time);
   medium::move(*w.walls, w.time, dt, *w.mesh); // Sec. 3, cut cells [28,29]
 }
 
 void impose(World &w, const double dt)
 {
   const Stopwatch watch(w, "imposed motion");
-  w.imposed->write(w.time + dt / 2, *w.mesh, *w.velocity);
+  w.imposed->evaluate(w.time + dt / 2, *w.mesh, *w.velocity);
   if (w.walls)
     medium::fill_behind(*w.velocity, *w.walls, *w.mesh);
   w.melt_moves = w.imposed->moves();
 }
 
-void wake_solid(World &w)
+void activate_solid(World &w)
 {
-  if (grows_its_points(w) && !solid::active(*w.solid) && pressed_upon(w))
+  if (grows_points(w) && !solid::active(*w.solid) && is_loaded(w))
   {
     solid::activate(*w.solid, crystal(w), w.time);
     if (w.time == 0. && !w.walls)
-      solid::start_as(*w.solid, w.scene->bodies);
+      solid::set_initial_state(*w.solid, w.scene->bodies);
   }
 }
 
 void move_solid(World &w, const double dt)
 {
-  wake_solid(w);
-  if (grows_its_points(w) && !solid::active(*w.solid))
+  activate_solid(w);
+  if (grows_points(w) && !solid::active(*w.solid))
     return;
   if (w.walls)
-    solid::follow_walls(*w.solid, motions(*w.walls), dt);
+    solid::set_wall_motions(*w.solid, motions(*w.walls), dt);
   solid::NodalVelocity mean;
   {
     const Stopwatch watch(w, "solid");
@@ -169,7 +171,7 @@ void move_solid(World &w, const double dt)
   const Stopwatch watch(w, "extension");
   const double full_mass =
       solid::numbers(*w.solid).at("density") * w.mesh->spacing[0] * w.mesh->spacing[1];
-  const auto material = spread(mean, full_mass, *w.mesh, *w.velocity);
+  const auto material = copy_velocity(mean, full_mass, *w.mesh, *w.velocity);
   medium::extend_into_liquid<double>(*w.extension, {&w.velocity->x, &w.velocity->y}, w.phase->value,
                                      material, *w.mesh);
   fill_velocity_ghosts(w);
@@ -179,7 +181,7 @@ void move_solid(World &w, const double dt)
 void move_solid_alone(World &w, const double dt)
 {
   if (w.walls)
-    solid::follow_walls(*w.solid, motions(*w.walls), dt);
+    solid::set_wall_motions(*w.solid, motions(*w.walls), dt);
   const Stopwatch watch(w, "solid");
   solid::advance(*w.solid, dt);
   note_contacts(w, w.time + dt);
@@ -190,11 +192,11 @@ namespace
   /// Where the velocity is the displacement over a whole coupling step, material that is squeezed
   /// out ahead of a fast wall may cross more cells than a scheme can carry at once; so may a jet of
   /// an unsteady motion that is narrower than the nodes at which it was looked at ahead.
-  long carrying_steps(const World &w, const double dt)
+  long advection_steps(const World &w, const double dt)
   {
     const auto scheme = w.advection->scheme();
     const double shift = dt * medium::crossing_rate(*w.velocity, *w.mesh);
-    const double asked = carried_fraction(*w.scene) * (1. + 1e-6);
+    const double asked = advection_fraction(*w.scene) * (1. + 1e-6);
     if (w.imposed && (w.imposed->steady() || shift <= asked))
       return 1; // as the scene asks
     const double allowed = 0.9 * medium::largest_shift(scheme);
@@ -205,7 +207,7 @@ namespace
 
   /// v . grad f is no flux: where v diverges, as its extension into the melt does, and by the error
   /// of the scheme, advection changes the integral of f. In a scene with heat that is booked.
-  void advect(World &w, CarriedField &field, const double dt)
+  void advect_field(World &w, AdvectedField &field, const double dt)
   {
     const medium::Cuts cuts = cuts_of(w);
     const auto integral = [&]
@@ -213,48 +215,48 @@ namespace
     const double before = w.heat ? integral() : 0.;
     w.advection->advect(field.value, field.gradients, *w.velocity, dt);
     if (w.heat)
-      field.carried += integral() - before;
+      field.advected += integral() - before;
   }
 
-  void carry_once(World &w, const double dt)
+  void advect_once(World &w, const double dt)
   {
     if (w.phase)
-      advect(w, *w.phase, dt); // Eq. (1)
+      advect_field(w, *w.phase, dt); // Eq. (1)
     if (w.heat)
-      advect(w, *w.heat, dt); // Eq. (2)
+      advect_field(w, *w.heat, dt); // Eq. (2)
     if (w.orientation && w.scene->orientation->turning)
     {
-      melt::let_vary(*w.orientation, *w.mesh);
-      melt::turn(*w.orientation, *w.velocity, dt, *w.mesh, *w.advection,
-                 w.extension.get()); // Eq. (3)
+      melt::allocate_angle_field(*w.orientation, *w.mesh);
+      melt::advance_orientation(*w.orientation, *w.velocity, dt, *w.mesh, *w.advection,
+                                w.extension.get()); // Eq. (3)
     }
   }
 } // namespace
 
-void carry(World &w, const double dt)
+void advect_melt(World &w, const double dt)
 {
   const Stopwatch watch(w, "advection");
-  const long steps = carrying_steps(w, dt);
+  const long steps = advection_steps(w, dt);
   for (long k = 0; k < steps; ++k)
-    carry_once(w, dt / static_cast<double>(steps));
+    advect_once(w, dt / static_cast<double>(steps));
   if (w.extension && w.orientation && w.scene->orientation->turning)
   {
     // By the distance that the velocity was extended with: new solid inherits the front's angle.
-    medium::extend_remembered(*w.extension, {&w.orientation->angle}, *w.mesh);
+    medium::extend_inherited(*w.extension, {&w.orientation->angle}, *w.mesh);
     melt::refresh(*w.orientation, *w.mesh);
   }
   if (w.walls && !w.growth)
-    settle(w);
+    update_cuts(w);
 }
 
 void grow(World &w, const double dt)
 {
   if (w.walls)
-    settle(w);
-  if (grows_its_points(w))
+    update_cuts(w);
+  if (grows_points(w))
   {
     const Stopwatch watch(w, "seeding");
-    solid::before_growth(*w.solid, crystal(w));
+    solid::begin_growth(*w.solid, crystal(w));
   }
   {
     const Stopwatch watch(w, w.scene->growth ? "growth" : "heat");
@@ -262,7 +264,7 @@ void grow(World &w, const double dt)
   }
   if (w.walls && w.phase)
     medium::fill_behind(w.phase->value, w.walls->cuts, *w.mesh);
-  if (grows_its_points(w))
+  if (grows_points(w))
   {
     const Stopwatch watch(w, "seeding");
     solid::seed_new_points(*w.solid, crystal(w));

@@ -15,7 +15,7 @@ void impose(World &, double dt);
 
 /// A growing solid that has nothing to wait for gets its points: once a wall touches it, or at once
 /// where there are no walls. Else it moves nowhere, and no point exists.
-void wake_solid(World &);
+void activate_solid(World &);
 
 /// Advance the solid by dt (Eqs. (4)-(6)) and give every node of the mesh its velocity: the mean
 /// over dt (free of elastic ringing) where there is material, its zero-gradient extension elsewhere
@@ -27,7 +27,7 @@ void move_solid_alone(World &, double dt);
 
 /// v . grad of Eqs. (1)-(3): everything that the melt carries follows the velocity over dt; then
 /// the fields end at the walls again.
-void carry(World &, double dt);
+void advect_melt(World &, double dt);
 
 /// Right sides of Eqs. (1) and (2) over dt; what has grown becomes material points.
 void grow(World &, double dt);

@@ -8,7 +8,7 @@
 
 #include <omp.h>
 
-#include "accounts.h"
+#include "costs.h"
 #include "forecast_output.h"
 #include "forecast_probes.h"
 #include "record/provenance.h"
@@ -25,7 +25,7 @@ namespace
   }
 
   /// A solid that is there from the start: its own steps, timed.
-  void foretell_solid(World &world, Forecast &forecast)
+  void forecast_solid(World &world, Forecast &forecast)
   {
     const double step = solid::stable_step(*world.solid);
     const double steps = world.scene->clock.end / step;
@@ -39,7 +39,7 @@ namespace
   }
 
   /// A solid with a passive marker: its steps, the extension of its velocity and what that carries.
-  void foretell_marked_solid(World &world, Forecast &forecast)
+  void forecast_marked_solid(World &world, Forecast &forecast)
   {
     const double step_length = std::min(coupling_step(world), world.scene->clock.end);
     const double steps = world.scene->clock.end / step_length;
@@ -76,7 +76,7 @@ double Forecast::cpu_s() const
   return sum(seconds);
 }
 
-Forecast foretell(const scene::Scene &scene, const int threads, const bool force)
+Forecast make_forecast(const scene::Scene &scene, const int threads, const bool force)
 {
   omp_set_num_threads(threads);
   Forecast forecast;
@@ -91,20 +91,20 @@ Forecast foretell(const scene::Scene &scene, const int threads, const bool force
   if (world.mesh)
     forecast.counts["nodes"] = static_cast<double>(world.mesh->node_count());
   if (scene.growth)
-    foretell_crystal(world, triad, forecast);
+    forecast_crystal(world, triad, forecast);
   else
   {
     if (world.extension)
-      foretell_marked_solid(world, forecast);
+      forecast_marked_solid(world, forecast);
     else if (world.solid)
-      foretell_solid(world, forecast);
+      forecast_solid(world, forecast);
     if (world.growth)
     {
       const double steps = scene.clock.end / growth_step_taken(world);
       forecast.counts["growth steps"] = steps;
       forecast.seconds["growth"] = steps * seconds_per_growth_step(world);
     }
-    foretell_advection(world, scene.clock.end, forecast);
+    forecast_advection(world, scene.clock.end, forecast);
     forecast.bytes = memory(world);
   }
   // The world has been at work: what it has taken is known, and what it will still take comes on
@@ -113,7 +113,7 @@ Forecast foretell(const scene::Scene &scene, const int threads, const bool force
       record::peak_rss_bytes() + std::max(0., forecast.solver_bytes() - sum(memory(world)));
   if (const auto points = forecast.counts.find("points"); points != forecast.counts.end())
     forecast.resident_bytes += snapshot_bytes(scene, points->second);
-  foretell_output(world, forecast); // last: what it holds meanwhile is counted just above
+  forecast_output(world, forecast); // last: what it holds meanwhile is counted just above
   return forecast;
 }
 

@@ -1,10 +1,10 @@
-// What a run will cost, foretold before it: for --plan, and for the campaign, which holds what was
-// foretold against what was measured.
+// What a run will cost, predicted before it: for --plan, and for the campaign, which holds what was
+// predicted against what was measured.
 //
 // Nothing here is a machine's constant: the world is built as the run would build it, set in motion
 // for some hundredths of a second, and what a step of each module costs on this machine is read off
 // its clock. What the first steps cannot show (a crystal that is still a seed, points that are
-// sown when a wall arrives) is counted from the crystal's size, forecast_growth.h.
+// seeded when a wall arrives) is counted from the crystal's size, forecast_growth.h.
 #pragma once
 
 #include <map>
@@ -24,7 +24,7 @@ struct Forecast
 };
 
 /// Builds the world and moves it a little; writes nothing. Throws scene::BadScene.
-Forecast foretell(const scene::Scene &, int threads, bool force = false);
+Forecast make_forecast(const scene::Scene &, int threads, bool force = false);
 
 /// The forecast for people, and one line that programs read:
 /// `forecast cpu_s=... solver_bytes=... resident_bytes=...`.

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "accounts.h"
+#include "costs.h"
 #include "forecast_growth.h"
 #include "forecast_probes.h"
 #include "solid/points.h"
@@ -44,7 +44,7 @@ namespace
     return turned * seconds_per_growth_step(grown) / static_cast<double>(grown.mesh->node_count());
   }
 
-  void foretell_growth(World &world, const GrowthLoad &load, const double triad, Forecast &forecast)
+  void forecast_growth(World &world, const GrowthLoad &load, const double triad, Forecast &forecast)
   {
     const double steps = load.end / growth_step_taken(world);
     const double seconds = seconds_per_growth_step(world);
@@ -67,9 +67,9 @@ namespace
         steps * (every_step + each * load.active_nodes + heat_alone * load.heated_nodes);
   }
 
-  /// Points that will be sown, and the gradients that the melt's fields carry once they move.
-  void foretell_pressed_memory(const World &world, const GrowthLoad &load, const double points,
-                               Forecast &forecast)
+  /// Points that will be seeded, and the gradients that the melt's fields carry once they move.
+  void forecast_compression_memory(const World &world, const GrowthLoad &load, const double points,
+                                   Forecast &forecast)
   {
     const scene::Scene &scene = *world.scene;
     const bool split = scene.mpm && scene.mpm->split_points;
@@ -116,10 +116,10 @@ namespace
            static_cast<double>(solid::points(*points));
   }
 
-  /// A solid that a wall finds when it arrives: points are sown over the crystal, then the solid,
+  /// A solid that a wall finds when it arrives: points are seeded over the crystal, then the solid,
   /// its velocity's extension and the melt's advection work until the walls have travelled. What
   /// a node costs, in steps of a point, is that of the compressed dendrite.
-  void foretell_pressing(const World &world, const GrowthLoad &load, Forecast &forecast)
+  void forecast_compression(const World &world, const GrowthLoad &load, Forecast &forecast)
   {
     constexpr double carried_node = 0.3, extended_node = 6.;
     const scene::Scene &scene = *world.scene;
@@ -141,16 +141,17 @@ namespace
     forecast.seconds["solid"] = steps * points * point_step;
     forecast.seconds["advection"] =
         couplings * nodes * point_step * (fields * carried_node + extended_node);
-    foretell_pressed_memory(world, load, points, forecast);
+    forecast_compression_memory(world, load, points, forecast);
   }
 } // namespace
 
-void foretell_crystal(World &world, const double triad, Forecast &forecast)
+void forecast_crystal(World &world, const double triad, Forecast &forecast)
 {
   const GrowthLoad load = growth_load(world);
-  foretell_growth(world, load, triad, forecast);
-  foretell_advection(world, load.end, forecast);
+  forecast_growth(world, load, triad, forecast);
+  forecast_advection(world, load.end, forecast);
   forecast.bytes = memory(world);
   if (world.solid && (world.scene->walls.empty() || load.pressed_from < load.end))
-    foretell_pressing(world, load, forecast); // else no wall ever meets it, and no point is sown
+    forecast_compression(world, load,
+                         forecast); // else no wall ever meets it, and no point is seeded
 }

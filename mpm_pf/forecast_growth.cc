@@ -201,7 +201,7 @@ GrowthLoad growth_load(const World &world)
   GrowthLoad load;
   load.end = load.pressed_from = scene.clock.end;
   let_walls_end(world, arms, load);
-  load.solid_area = solid_area(scene, arms, load.end); // points are sown as it grows on
+  load.solid_area = solid_area(scene, arms, load.end); // points are seeded as it grows on
   load.grows = load.solid_area > 1.02 * solid_area(scene, arms, 0.);
 
   const double strip = strip_width(world);

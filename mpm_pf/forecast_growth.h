@@ -1,10 +1,10 @@
-// How large a crystal will be, foretold from its material: the tip velocity by Ivantsov's parabola
+// How large a crystal will be, predicted from its material: the tip velocity by Ivantsov's parabola
 // in two dimensions and a fit of solvability theory.
 //
 //   Delta = sqrt(pi Pe) exp(Pe) erfc(sqrt(Pe)),   V d0/D = 2 sigma Pe^2,   sigma = 2.2 eps^0.95.
 //
 // The fit goes through the two velocities of paper Table 1 (Delta = 0.55: V d0/D = 0.01703 at
-// eps = 0.05 and 0.00542 at 0.015). It serves to foretell cost, nothing else.
+// eps = 0.05 and 0.00542 at 0.015). It serves to predict cost, nothing else.
 #pragma once
 
 #include "world.h"

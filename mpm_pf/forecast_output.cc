@@ -28,14 +28,14 @@ namespace
     }
   };
 
-  double looks(const scene::Probe &probe, const double end)
+  double sample_count(const scene::Probe &probe, const double end)
   {
     return static_cast<double>(probe.compressions.empty() ? scene::sample_times(probe, end).size()
                                                           : probe.compressions.size());
   }
 
-  double seconds_of_a_look(const scene::Probe &probe, const World &world, record::Writer &writer,
-                           const int most)
+  double seconds_per_sample(const scene::Probe &probe, const World &world, record::Writer &writer,
+                            const int most)
   {
     return std::visit(
         [&](const auto &kind)
@@ -51,7 +51,7 @@ namespace
   }
 } // namespace
 
-void foretell_output(const World &world, Forecast &forecast)
+void forecast_output(const World &world, Forecast &forecast)
 {
   constexpr int most_calls = 20; // each is written
   double total = 0.;
@@ -61,9 +61,9 @@ void foretell_output(const World &world, Forecast &forecast)
     record::Writer writer((scratch.path / "record.h5").string(), {}, *world.scene, true);
     for (const scene::Probe &probe : world.scene->probes)
     {
-      const double count = looks(probe, world.scene->clock.end);
+      const double count = sample_count(probe, world.scene->clock.end);
       const int most = static_cast<int>(std::clamp(count, 1., double(most_calls)));
-      total += count * seconds_of_a_look(probe, world, writer, most);
+      total += count * seconds_per_sample(probe, world, writer, most);
     }
   }
   catch (const std::exception &)

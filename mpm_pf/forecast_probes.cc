@@ -89,9 +89,9 @@ namespace
   }
 } // namespace
 
-void foretell_advection(World &world, const double end, Forecast &forecast)
+void forecast_advection(World &world, const double end, Forecast &forecast)
 {
-  if (!world.imposed || !world.imposed->ever_moves())
+  if (!world.imposed || !world.imposed->may_move())
     return;
   const double step = coupling_step(world);
   const double steps = std::max(1., imposed_steps(world, end));
@@ -99,8 +99,8 @@ void foretell_advection(World &world, const double end, Forecast &forecast)
   const double write = seconds_of(
       [&]
       {
-        world.imposed->write(world.time, *world.mesh, *world.velocity);
-        carry(world, 1e-3 * step);
+        world.imposed->evaluate(world.time, *world.mesh, *world.velocity);
+        advect_melt(world, 1e-3 * step);
       },
       probe_budget_s, static_cast<int>(std::clamp(steps, 1., 50.)));
   forecast.seconds["advection"] = steps * write;

@@ -24,8 +24,8 @@ double growth_step_taken(const World &);
 double seconds_per_growth_step(World &);
 
 /// What an imposed motion carries until `end`; nothing where nothing moves. Moves the world.
-void foretell_advection(World &, double end, Forecast &);
+void forecast_advection(World &, double end, Forecast &);
 
 /// All of a scene with [growth]: the crystal, what is carried, the solid that a wall will press.
 /// `triad`: of this machine and mesh, CPU seconds a node. Moves the world.
-void foretell_crystal(World &, double triad, Forecast &);
+void forecast_crystal(World &, double triad, Forecast &);

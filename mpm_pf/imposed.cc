@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "medium/advection.h"
-#include "medium/trouble.h"
+#include "medium/numerical_error.h"
 
 namespace
 {
@@ -25,13 +25,13 @@ namespace
   /// A velocity without bound near a node would let the run stand still.
   void refuse_singular(const double step, const double end)
   {
-    constexpr double least_part = 1e-8;
-    if (step >= least_part * end)
+    constexpr double smallest_part = 1e-8;
+    if (step >= smallest_part * end)
       return;
     std::ostringstream text;
     text << "the imposed motion crosses a cell so fast that a step is " << step << " of the run's "
          << end << ": imposed.velocity is singular at a node; keep it bounded there";
-    throw medium::NumericalTrouble(text.str());
+    throw medium::NumericalError(text.str());
   }
 } // namespace
 
@@ -41,18 +41,18 @@ Imposed::Imposed(const scene::Imposed &imposed)
 {
 }
 
-void Imposed::write(const double time, const medium::Mesh &mesh, medium::Velocity &velocity)
+void Imposed::evaluate(const double time, const medium::Mesh &mesh, medium::Velocity &velocity)
 {
-  if (is_steady && written)
+  if (is_steady && evaluated)
     return;
   write_component(component[0], time, mesh, velocity.x);
   write_component(component[1], time, mesh, velocity.y);
   rate = medium::crossing_rate(velocity, mesh);
-  written = true;
+  evaluated = true;
 }
 
-template <class Look>
-void Imposed::look_at(const medium::Mesh &mesh, Look &&look) const
+template <class Visit>
+void Imposed::for_sampled_nodes(const medium::Mesh &mesh, Visit &&visit) const
 {
   constexpr int stride = 4;
   for (std::size_t axis = 0; axis < 2; ++axis)
@@ -61,34 +61,34 @@ void Imposed::look_at(const medium::Mesh &mesh, Look &&look) const
     const int columns = uniform ? 1 : mesh.nodes[0], rows = uniform ? 1 : mesh.nodes[1];
     for (int j = 0; j < rows - 1 + stride; j += stride)
       for (int i = 0; i < columns - 1 + stride; i += stride)
-        look(axis, mesh.position(std::min(i, columns - 1), std::min(j, rows - 1)));
+        visit(axis, mesh.position(std::min(i, columns - 1), std::min(j, rows - 1)));
   }
 }
 
 double Imposed::crossing_rate(const double time, const medium::Mesh &mesh) const
 {
   double fastest = 0.;
-  look_at(mesh,
-          [&](const std::size_t axis, const scene::Point &x)
-          {
-            fastest = std::max(fastest, std::abs(component[axis]({x, x, time})) /
-                                            mesh.spacing[static_cast<int>(axis)]);
-          });
+  for_sampled_nodes(mesh,
+                    [&](const std::size_t axis, const scene::Point &x)
+                    {
+                      fastest = std::max(fastest, std::abs(component[axis]({x, x, time})) /
+                                                      mesh.spacing[static_cast<int>(axis)]);
+                    });
   return fastest;
 }
 
-bool Imposed::rests(const double time, const double length, const double spacing,
-                    const medium::Mesh &mesh) const
+bool Imposed::is_constant_over(const double time, const double length, const double spacing,
+                               const medium::Mesh &mesh) const
 {
-  const int looks = std::max(4, static_cast<int>(std::ceil(length / spacing)));
+  const int samples = std::max(4, static_cast<int>(std::ceil(length / spacing)));
   bool same = true;
-  look_at(mesh,
-          [&](const std::size_t axis, const scene::Point &x)
-          {
-            const double now = component[axis]({x, x, time});
-            for (int k = 1; k <= looks && same; ++k)
-              same = component[axis]({x, x, time + k * length / looks}) == now;
-          });
+  for_sampled_nodes(mesh,
+                    [&](const std::size_t axis, const scene::Point &x)
+                    {
+                      const double now = component[axis]({x, x, time});
+                      for (int k = 1; k <= samples && same; ++k)
+                        same = component[axis]({x, x, time + k * length / samples}) == now;
+                    });
   return same;
 }
 
@@ -102,7 +102,7 @@ double Imposed::step(const double time, const double longest, const double end,
     length = fraction / now;
   if (now > 0.)
     refuse_singular(fraction / now, end);
-  if (is_steady || rests(time, length, 0.25 * end / least_steps, mesh))
+  if (is_steady || is_constant_over(time, length, 0.25 * end / least_steps, mesh))
     return length;
   length = std::min(longest, end / least_steps);
   for (;;)

@@ -87,7 +87,7 @@ std::string warning_on_scaling(const World &world)
   const scene::Scene &scene = *world.scene;
   if (!world.solid || !scene.mpm || !scene.mpm->mach || scene.growth)
     return {};
-  if (std::any_of(scene.bodies.begin(), scene.bodies.end(), scene::is_thrown))
+  if (std::any_of(scene.bodies.begin(), scene.bodies.end(), scene::has_initial_velocity))
     return "not quasi-static: mpm.mach scales the density of bodies that start with a velocity, "
            "and with it their momentum; leave mach out";
   const scene::Box box = scene::bounding_box(scene.bodies);

@@ -6,7 +6,7 @@
 
 #include "medium/contour.h"
 #include "medium/sums.h"
-#include "melt/ledger.h"
+#include "melt/heat_budget.h"
 #include "scene/units.h"
 
 namespace
@@ -73,7 +73,7 @@ namespace
   {
     const medium::Cuts cuts = cuts_of(world);
     if (world.phase)
-      return melt::heat_ledger(world.phase->value, world.heat->value, *world.mesh, cuts).total();
+      return melt::heat_budget(world.phase->value, world.heat->value, *world.mesh, cuts).total();
     const auto &theta = world.heat->value;
     return world.mesh->spacing.prod() * medium::weighted_sum(theta, *world.mesh, cuts);
   }
@@ -107,27 +107,27 @@ HistoryColumns melt_history(const World &world)
   {
     const auto &phi = world.phase->value;
     const auto contour = phase_contour(world);
-    const medium::Spread spread = medium::spread_of(phi, mesh, cuts);
+    const medium::Statistics statistics = medium::statistics_of(phi, mesh, cuts);
     row.add("solid_area", length + "^2", medium::enclosed_area(contour));
     row.add("interface_length", length, medium::interface_length(contour, inner_box(world)));
     row.add("interface_width", length, mean_interface_width(phi, mesh, inner_box(world), contour));
-    row.add("phi_min", "1", spread.min);
-    row.add("phi_max", "1", spread.max);
+    row.add("phi_min", "1", statistics.min);
+    row.add("phi_max", "1", statistics.max);
     if (mesh.nodes[0] == mesh.nodes[1])
       row.add("diagonal_defect", "1", diagonal_defect(phi, mesh));
   }
   if (world.heat)
   {
-    const medium::Spread spread = medium::spread_of(world.heat->value, mesh, cuts);
-    row.add("theta_mean", "L/cp", spread.mean);
-    row.add("theta_variance", "(L/cp)^2", spread.variance);
-    row.add("theta_min", "L/cp", spread.min);
-    row.add("theta_max", "L/cp", spread.max);
+    const medium::Statistics statistics = medium::statistics_of(world.heat->value, mesh, cuts);
+    row.add("theta_mean", "L/cp", statistics.mean);
+    row.add("theta_variance", "(L/cp)^2", statistics.variance);
+    row.add("theta_min", "L/cp", statistics.min);
+    row.add("theta_max", "L/cp", statistics.max);
     row.add("heat_content", "L/cp " + length + "^2", heat_content(world));
     if (world.advection)
-      row.add("carried_heat", "L/cp " + length + "^2", world.heat->carried);
+      row.add("carried_heat", "L/cp " + length + "^2", world.heat->advected);
     if (world.advection && world.phase)
-      row.add("carried_phase", length + "^2", world.phase->carried);
+      row.add("carried_phase", length + "^2", world.phase->advected);
   }
   if (world.growth)
     row.add("active_tiles", "1",

@@ -23,6 +23,6 @@ std::vector<scene::Polyline> phase_contour(const World &);
 /// to the integrals of theta and phi: v . grad of Eqs. (1) and (2) is no flux. Between adiabatic
 /// sides and walls
 ///   heat_content + swept_heat - swept_phase/2 - (carried_heat - carried_phase/2)
-/// is constant to rounding; what walls sweep is told beside their positions. On a square mesh
+/// is constant to rounding; what walls sweep is recorded beside their positions. On a square mesh
 /// diagonal_defect, the largest |phi(x, y) - phi(y, x)|.
 HistoryColumns melt_history(const World &);

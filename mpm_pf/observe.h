@@ -1,4 +1,4 @@
-// How each kind of probe looks at the world and what it writes; a probe of a module that is absent
+// How each kind of probe samples the world and what it writes; a probe of a module that is absent
 // was refused with the scene.
 #pragma once
 

@@ -6,7 +6,7 @@
 #include <sstream>
 #include <vector>
 
-#include "accounts.h"
+#include "costs.h"
 #include "forecast.h"
 #include "scene/presets.h"
 
@@ -15,7 +15,7 @@ namespace
   struct Module
   {
     std::string name;
-    const scene::Place *place; // null: absent
+    const scene::SourceLocation *place; // null: absent
   };
 
   std::vector<Module> modules(const scene::Scene &s)
@@ -87,6 +87,6 @@ std::string plan(const scene::Scene &scene, const int threads, const bool force)
   std::ostringstream out;
   out << banner(scene) << "  domain: " << scene.domain.cells[0] << " x " << scene.domain.cells[1]
       << " cells\n"
-      << describe(foretell(scene, threads, force));
+      << describe(make_forecast(scene, threads, force));
   return out.str();
 }

@@ -20,8 +20,8 @@ namespace
     return solid::numbers(*world.solid).at(name);
   }
 
-  /// The stress rho c V of a blow at that speed over what the material bears.
-  double blow(const World &world, const double speed)
+  /// The stress rho c V of an impact at that speed over what the material bears.
+  double impact_ratio(const World &world, const double speed)
   {
     const scene::Solid &solid = *world.scene->solid;
     const double strength = solid.yield_stress.value_or(0.01 * solid.young_modulus);
@@ -37,7 +37,7 @@ namespace
   std::string sentence(const World &world, const Load &load)
   {
     const double transit = load.length / number(world, "wave_speed");
-    const double stress = blow(world, load.speed), transits = load.time / transit;
+    const double stress = impact_ratio(world, load.speed), transits = load.time / transit;
     if (transits >= nearly || !(stress > bearable))
       return {};
     std::ostringstream text;
@@ -86,7 +86,7 @@ namespace
   }
 
   /// Nothing of the bodies is left free for a wave to run in.
-  bool takes_all(const scene::Support &support, const scene::Box &box)
+  bool holds_all(const scene::Support &support, const scene::Box &box)
   {
     const auto *region = std::get_if<scene::Box>(&support.where);
     return region && (region->lower.array() <= box.lower.array()).all() &&
@@ -115,7 +115,7 @@ std::string warning_on_support_ramps(const World &world)
   const scene::Box box = scene::bounding_box(scene.bodies);
   std::vector<const scene::Support *> driven;
   for (const scene::Support &support : scene.supports)
-    if (scene::is_driven(support) && !takes_all(support, box))
+    if (scene::is_driven(support) && !holds_all(support, box))
       driven.push_back(&support);
   // Where both ends are driven, the middle is what a wave from either comes to.
   const double length = (box.upper - box.lower).maxCoeff() / (driven.size() > 1 ? 2. : 1.);

@@ -8,7 +8,7 @@
 
 /// A sentence for each wall that has touched the solid and was brought to its speed, from its
 /// contact on, in fewer than ten transits through the arm before it. Empty if there is none, and
-/// where a blow at that speed, rho c V, is below a hundredth of what the material bears.
+/// where an impact at that speed, rho c V, is below a hundredth of what the material bears.
 std::string warning_on_wall_ramps(const World &);
 
 /// The same for supports that are driven from rest, of bodies whose density is scaled: who scales

@@ -21,50 +21,50 @@ std::vector<double> ReactionWindow::events() const
   return all;
 }
 
-const ReactionWindow::Mark *ReactionWindow::mark_at(const double time) const
+const ReactionWindow::Reading *ReactionWindow::reading_at(const double time) const
 {
-  const auto near =
-      std::find_if(marks.begin(), marks.end(),
-                   [&](const Mark &mark) { return std::abs(mark.time - time) <= tolerance; });
-  return near == marks.end() ? nullptr : &*near;
+  const auto near = std::find_if(readings.begin(), readings.end(),
+                                 [&](const Reading &reading)
+                                 { return std::abs(reading.time - time) <= tolerance; });
+  return near == readings.end() ? nullptr : &*near;
 }
 
 std::optional<ReactionWindow::Mean> ReactionWindow::mean(const std::size_t sample) const
 {
-  const Mark *from = mark_at(begin_of(sample));
-  const Mark *to = mark_at(std::min(end, times[sample] + half));
+  const Reading *from = reading_at(begin_of(sample));
+  const Reading *to = reading_at(std::min(end, times[sample] + half));
   if (!from || !to)
     return {};
   return Mean{(from->time + to->time) / 2, (to->impulse - from->impulse) / (to->time - from->time)};
 }
 
-void ReactionWindow::close(const double time)
+void ReactionWindow::end_early(const double time)
 {
   end = time;
   const std::size_t asked = times.size();
   while (times.size() > returned && times.back() > end - half / 4)
     times.pop_back();
-  closed = times.size() < asked;
-  if (closed)
+  ended_early = times.size() < asked;
+  if (ended_early)
     times.push_back(end);
 }
 
 double ReactionWindow::begin_of(const std::size_t sample) const
 {
-  // Half a window before an end that nobody foresaw nothing was told; at the sample before it was.
-  const bool unforeseen = closed && sample > 0 && sample + 1 == times.size();
+  // Half a window before an early end there is no reading; at the sample before it there is one.
+  const bool unforeseen = ended_early && sample > 0 && sample + 1 == times.size();
   return unforeseen ? times[sample - 1] : std::max(0., times[sample] - half);
 }
 
-std::vector<ReactionRow> ReactionWindow::see(const double time, const scene::Point &impulse,
+std::vector<ReactionRow> ReactionWindow::add(const double time, const scene::Point &impulse,
                                              const scene::Point &displacement)
 {
-  marks.push_back({time, impulse, displacement});
+  readings.push_back({time, impulse, displacement});
   std::vector<ReactionRow> rows;
   while (returned < times.size())
   {
     const std::size_t k = returned;
-    const Mark *here = mark_at(times[k]);
+    const Reading *here = reading_at(times[k]);
     const auto own = mean(k);
     if (!here || !own)
       break;
@@ -84,25 +84,25 @@ std::vector<ReactionRow> ReactionWindow::see(const double time, const scene::Poi
   }
   // The row before the next one to return may still be needed to extrapolate it.
   const double oldest = returned < 2 ? 0. : times[returned - 2] - 1.01 * half;
-  marks.erase(std::remove_if(marks.begin(), marks.end(),
-                             [&](const Mark &mark) { return mark.time < oldest; }),
-              marks.end());
+  readings.erase(std::remove_if(readings.begin(), readings.end(),
+                                [&](const Reading &reading) { return reading.time < oldest; }),
+                 readings.end());
   return rows;
 }
 
 std::vector<double> ReactionWindow::state() const
 {
   std::vector<double> flat{static_cast<double>(returned)};
-  for (const Mark &mark : marks)
-    flat.insert(flat.end(), {mark.time, mark.impulse[0], mark.impulse[1], mark.displacement[0],
-                             mark.displacement[1]});
+  for (const Reading &reading : readings)
+    flat.insert(flat.end(), {reading.time, reading.impulse[0], reading.impulse[1],
+                             reading.displacement[0], reading.displacement[1]});
   return flat;
 }
 
 void ReactionWindow::restore(const std::vector<double> &flat)
 {
   returned = static_cast<std::size_t>(flat.at(0));
-  marks.clear();
+  readings.clear();
   for (std::size_t i = 1; i + 5 <= flat.size(); i += 5)
-    marks.push_back({flat[i], {flat[i + 1], flat[i + 2]}, {flat[i + 3], flat[i + 4]}});
+    readings.push_back({flat[i], {flat[i + 1], flat[i + 2]}, {flat[i + 3], flat[i + 4]}});
 }

@@ -25,29 +25,29 @@ public:
   /// Samples at `times` (sorted), windows of half width `half`, cut off at 0 and `end`.
   ReactionWindow(std::vector<double> times, double half, double end);
 
-  /// Every time at which see() must be called: samples and the ends of their windows.
+  /// Every time at which add() must be called: samples and the ends of their windows.
   std::vector<double> events() const;
 
-  /// Tell impulse and displacement at one of the events; later events come later. Returns the rows
+  /// Add impulse and displacement at one of the events; later events come later. Returns the rows
   /// that are complete now and have not been returned before.
-  std::vector<ReactionRow> see(double time, const scene::Point &impulse,
+  std::vector<ReactionRow> add(double time, const scene::Point &impulse,
                                const scene::Point &displacement);
 
   /// The run ends here, at `time`, before its clock: samples that will not come are dropped, the
-  /// last moment is one, and windows reach to it. see() must be called for it next.
-  void close(double time);
+  /// last moment is one, and windows reach to it. add() must be called for it next.
+  void end_early(double time);
 
-  /// For checkpoints: what see() was told and rows still wait for, as flat numbers.
+  /// For checkpoints: readings and rows still wait for, as flat numbers.
   std::vector<double> state() const;
   void restore(const std::vector<double> &);
 
 private:
-  struct Mark
+  struct Reading
   {
     double time;
     scene::Point impulse, displacement;
   };
-  const Mark *mark_at(double time) const;
+  const Reading *reading_at(double time) const;
   double begin_of(std::size_t sample) const; // of its window
   /// Mean force of sample k and the centre of its window; empty until its window has passed.
   struct Mean
@@ -59,7 +59,7 @@ private:
 
   std::vector<double> times;
   double half, end, tolerance;
-  std::vector<Mark> marks;
+  std::vector<Reading> readings;
   std::size_t returned = 0;
-  bool closed = false; // the last sample is an end that was not foreseen
+  bool ended_early = false; // the last sample is an end that was not foreseen
 };

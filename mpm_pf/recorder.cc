@@ -15,34 +15,36 @@ Recorder::Recorder(const scene::Scene &scene, record::Writer &out)
 {
   const double end = scene.clock.end;
   if (scene.growth && scene.heat)
-    ill_chosen = melt::width_warning(scene.growth->capillary_length, scene.phase_field->width);
-  if (scene.phase_field && ill_chosen.empty())
-    ill_chosen = melt::profile_warning(scene.phase_field->width, scene.domain.spacing().maxCoeff(),
-                                       scene.growth.has_value());
-  std::vector<std::string> watched;
+    interface_warning =
+        melt::width_warning(scene.growth->capillary_length, scene.phase_field->width);
+  if (scene.phase_field && interface_warning.empty())
+    interface_warning = melt::profile_warning(
+        scene.phase_field->width, scene.domain.spacing().maxCoeff(), scene.growth.has_value());
+  std::vector<std::string> scheduled_supports;
   for (const auto &probe : scene.probes)
   {
     auto times = scene::sample_times(probe, end);
     if (const auto *reaction = std::get_if<scene::ReactionProbe>(&probe.kind))
     {
-      watched.push_back(reaction->support);
+      scheduled_supports.push_back(reaction->support);
       const double interval = scene::sample_interval(probe, end);
-      watch_reaction(probe.name, reaction->support, times, interval / 2, end);
+      schedule_reaction(probe.name, reaction->support, times, interval / 2, end);
     }
     else
     {
       events.insert(events.end(), times.begin(), times.end());
-      watches.push_back({&probe, std::move(times), 0});
+      scheduled_probes.push_back({&probe, std::move(times), 0});
     }
   }
   for (const auto &support : scene.supports)
-    if (std::find(watched.begin(), watched.end(), support.name) == watched.end())
+    if (std::find(scheduled_supports.begin(), scheduled_supports.end(), support.name) ==
+        scheduled_supports.end())
     {
       scene::Probe probe;
       probe.kind = scene::ReactionProbe{support.name};
       const double interval = scene::sample_interval(probe, end);
-      watch_reaction("reaction " + support.name, support.name, scene::sample_times(probe, end),
-                     interval / 2, end);
+      schedule_reaction("reaction " + support.name, support.name, scene::sample_times(probe, end),
+                        interval / 2, end);
     }
   std::sort(events.begin(), events.end());
   events.erase(std::unique(events.begin(), events.end(),
@@ -50,8 +52,9 @@ Recorder::Recorder(const scene::Scene &scene, record::Writer &out)
                events.end());
 }
 
-void Recorder::watch_reaction(const std::string &name, const std::string &support,
-                              const std::vector<double> &times, const double half, const double end)
+void Recorder::schedule_reaction(const std::string &name, const std::string &support,
+                                 const std::vector<double> &times, const double half,
+                                 const double end)
 {
   ReactionWindow window(times, half, end);
   auto own = window.events();
@@ -77,27 +80,27 @@ bool Recorder::due(const std::vector<double> &times, std::size_t &next, const do
   return true;
 }
 
-bool Recorder::reaches_compression(Watch &watch, const World &world) const
+bool Recorder::reaches_compression(ScheduledProbe &scheduled, const World &world) const
 {
-  const auto &wanted = watch.probe->compressions;
-  if (wanted.empty() || !world.walls || watch.next >= wanted.size())
+  const auto &wanted = scheduled.probe->compressions;
+  if (wanted.empty() || !world.walls || scheduled.next >= wanted.size())
     return false;
   const auto &walls = world.walls->walls;
   const bool touched =
       std::any_of(walls.begin(), walls.end(),
                   [](const medium::Wall &wall) { return wall.touched.has_value(); });
-  if (!touched || medium::compression(*world.walls) < wanted[watch.next] * (1. - 1e-9))
+  if (!touched || medium::compression(*world.walls) < wanted[scheduled.next] * (1. - 1e-9))
     return false;
-  ++watch.next;
+  ++scheduled.next;
   return true;
 }
 
 void Recorder::observe(const World &world)
 {
   const double wall_before = record::wall_seconds(), cpu_before = record::cpu_seconds();
-  for (auto &watch : watches)
-    if (due(watch.times, watch.next, world.time) || reaches_compression(watch, world))
-      observe_probe(*watch.probe, world);
+  for (auto &scheduled : scheduled_probes)
+    if (due(scheduled.times, scheduled.next, world.time) || reaches_compression(scheduled, world))
+      observe_probe(*scheduled.probe, world);
   for (auto &reaction : reactions)
     if (due(reaction.events, reaction.next, world.time))
       observe_reaction(reaction, world);
@@ -107,17 +110,17 @@ void Recorder::observe(const World &world)
 
 void Recorder::observe_early_end(const World &world)
 {
-  for (auto &watch : watches)
+  for (auto &scheduled : scheduled_probes)
   {
-    if (watch.next >= watch.times.size())
-      continue; // all seen, or watched by compression
-    if (watch.next == 0 || world.time > watch.times[watch.next - 1] + tolerance)
-      observe_probe(*watch.probe, world);
-    watch.next = watch.times.size();
+    if (scheduled.next >= scheduled.times.size())
+      continue; // all sampled, or sampled by compression
+    if (scheduled.next == 0 || world.time > scheduled.times[scheduled.next - 1] + tolerance)
+      observe_probe(*scheduled.probe, world);
+    scheduled.next = scheduled.times.size();
   }
   for (auto &reaction : reactions)
   {
-    reaction.window.close(world.time);
+    reaction.window.end_early(world.time);
     observe_reaction(reaction, world);
   }
 }
@@ -125,9 +128,9 @@ void Recorder::observe_early_end(const World &world)
 double Recorder::next_compression() const
 {
   double next = std::numeric_limits<double>::infinity();
-  for (const auto &watch : watches)
-    if (const auto &wanted = watch.probe->compressions; watch.next < wanted.size())
-      next = std::min(next, wanted[watch.next]);
+  for (const auto &scheduled : scheduled_probes)
+    if (const auto &wanted = scheduled.probe->compressions; scheduled.next < wanted.size())
+      next = std::min(next, wanted[scheduled.next]);
   return next;
 }
 
@@ -159,7 +162,7 @@ void Recorder::observe_tip(const scene::TipProbe &probe, const scene::Probe &nam
     melt::add_sample(track, world.time, tip->position, travel);
     velocity = melt::tip_velocity(track, travel);
     if (tip->position > 5 * width && tip->radius > 0)
-      under_resolved = melt::resolution_warning(tip->radius, mesh, width);
+      tip_warning = melt::resolution_warning(tip->radius, mesh, width);
   }
   const std::string length = scene::unit_text(scene::Dimension::length, world.scene->units);
   const record::Columns columns{{"position", "velocity", "velocity_residual", "radius",
@@ -174,27 +177,28 @@ void Recorder::observe_tip(const scene::TipProbe &probe, const scene::Probe &nam
                 tip ? tip->crossings : 0.});
 }
 
-void Recorder::observe_reaction(ReactionWatch &watch, const World &world)
+void Recorder::observe_reaction(ScheduledReaction &scheduled, const World &world)
 {
-  auto reaction = solid::reaction(*world.solid, watch.support);
+  auto reaction = solid::reaction(*world.solid, scheduled.support);
   if (world.walls) // which move before the material knows of them
     for (const medium::Wall &wall : world.walls->walls)
-      if (solid::wall_name(wall.side) == watch.support)
+      if (solid::wall_name(wall.side) == scheduled.support)
         reaction.displacement[wall.axis()] = wall.position - wall.origin;
   const auto unit = [&](const scene::Dimension dimension)
   { return scene::unit_text(dimension, world.scene->units); };
   const std::string force = unit(scene::Dimension::force), length = unit(scene::Dimension::length);
   const record::Columns columns{{"force_x", "force_y", "displacement_x", "displacement_y"},
                                 {force, force, length, length}};
-  for (const auto &row : watch.window.see(world.time, reaction.impulse, reaction.displacement))
-    writer.table(watch.name, columns, row.time,
+  for (const auto &row : scheduled.window.add(world.time, reaction.impulse, reaction.displacement))
+    writer.table(scheduled.name, columns, row.time,
                  {row.force[0], row.force[1], row.displacement[0], row.displacement[1]});
 }
 
 void Recorder::save(record::CheckpointTarget &checkpoint) const
 {
-  for (const auto &watch : watches)
-    checkpoint.put("recorder/" + watch.probe->name + "/next", static_cast<double>(watch.next));
+  for (const auto &scheduled : scheduled_probes)
+    checkpoint.put("recorder/" + scheduled.probe->name + "/next",
+                   static_cast<double>(scheduled.next));
   for (const auto &reaction : reactions)
     checkpoint.put("recorder/" + reaction.name, reaction.window.state());
   for (const auto &[name, track] : tracks)
@@ -211,13 +215,13 @@ void Recorder::restore(const record::Checkpoint &checkpoint, const double time)
     return static_cast<std::size_t>(std::upper_bound(times.begin(), times.end(), time + tolerance) -
                                     times.begin());
   };
-  for (auto &watch : watches)
+  for (auto &scheduled : scheduled_probes)
   {
-    const std::string key = "recorder/" + watch.probe->name;
-    watch.next = static_cast<std::size_t>(checkpoint.number(key + "/next"));
+    const std::string key = "recorder/" + scheduled.probe->name;
+    scheduled.next = static_cast<std::size_t>(checkpoint.number(key + "/next"));
     if (checkpoint.has(key + "/time"))
-      tracks[watch.probe->name] = {checkpoint.get<double>(key + "/time"),
-                                   checkpoint.get<double>(key + "/position")};
+      tracks[scheduled.probe->name] = {checkpoint.get<double>(key + "/time"),
+                                       checkpoint.get<double>(key + "/position")};
   }
   for (auto &reaction : reactions)
   {

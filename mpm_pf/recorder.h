@@ -1,4 +1,4 @@
-// The verb "observe": looks at the world where and when the scene's probes ask, and writes the
+// The verb "observe": samples the world where and when the scene's probes ask, and writes the
 // record.
 #pragma once
 
@@ -19,10 +19,10 @@ public:
   /// always has its reactions recorded: a support that no probe names gets "reaction <support>".
   Recorder(const scene::Scene &, record::Writer &);
 
-  /// The next time after `time` at which some probe wants to look; infinity if none does.
+  /// The next time after `time` at which some probe is to be sampled; infinity if none does.
   double next_event(double time) const;
 
-  /// The next compression at which some probe wants to look; infinity if none does.
+  /// The next compression at which some probe is to be sampled; infinity if none does.
   double next_compression() const;
 
   /// Record all that is due at world.time. Call it at the start and after every step.
@@ -36,40 +36,43 @@ public:
   double wall_seconds() const { return wall; }
 
   /// What the program has to say about its own resolution; empty if nothing.
-  const std::string &warning() const { return ill_chosen.empty() ? under_resolved : ill_chosen; }
+  const std::string &warning() const
+  {
+    return interface_warning.empty() ? tip_warning : interface_warning;
+  }
 
   void save(record::CheckpointTarget &) const;
   void restore(const record::Checkpoint &, double time);
 
 private:
-  struct Watch
+  struct ScheduledProbe
   {
     const scene::Probe *probe;
     std::vector<double> times;
     std::size_t next = 0;
   };
-  struct ReactionWatch
+  struct ScheduledReaction
   {
     std::string name, support;
     ReactionWindow window;
     std::vector<double> events;
     std::size_t next = 0;
   };
-  void watch_reaction(const std::string &name, const std::string &support,
-                      const std::vector<double> &times, double half, double end);
+  void schedule_reaction(const std::string &name, const std::string &support,
+                         const std::vector<double> &times, double half, double end);
   bool due(const std::vector<double> &times, std::size_t &next, double time) const;
-  bool reaches_compression(Watch &, const World &) const;
+  bool reaches_compression(ScheduledProbe &, const World &) const;
   void observe_probe(const scene::Probe &, const World &);
   void observe_tip(const scene::TipProbe &, const scene::Probe &, const World &);
-  void observe_reaction(ReactionWatch &, const World &);
+  void observe_reaction(ScheduledReaction &, const World &);
 
   record::Writer &writer;
   double tolerance;
   std::vector<double> events; // sorted, unique
-  std::vector<Watch> watches;
-  std::vector<ReactionWatch> reactions;
+  std::vector<ScheduledProbe> scheduled_probes;
+  std::vector<ScheduledReaction> reactions;
   std::map<std::string, melt::TipTrack> tracks; // of tip probes, by name
-  std::string ill_chosen;                       // or too narrow an interface, known from the scene
-  std::string under_resolved;                   // the last complaint about a tip
+  std::string interface_warning; // too wide or too narrow an interface, known from the scene
+  std::string tip_warning;       // the last warning about a tip
   double cpu = 0., wall = 0.;
 };

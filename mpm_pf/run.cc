@@ -9,10 +9,10 @@
 
 #include <omp.h>
 
-#include "accounts.h"
+#include "costs.h"
 #include "front_warnings.h"
 #include "inertia.h"
-#include "medium/trouble.h"
+#include "medium/numerical_error.h"
 #include "observe.h"
 #include "plan.h"
 #include "quadrature.h"
@@ -24,7 +24,7 @@
 namespace
 {
   constexpr double seconds_between_checkpoints = 300.;
-  constexpr double seconds_between_weighings = 0.25;
+  constexpr double seconds_between_memory_checks = 0.25;
   constexpr auto last_good = "last good state";
 
   std::string checkpoint_path(const record::CommandLine &command)
@@ -74,16 +74,16 @@ namespace
   private:
     void open(bool resume);
     void save();
-    void weigh();
-    bool look(const std::function<bool()> &stop_asked);
+    void measure_memory();
+    bool after_step(const std::function<bool()> &stop_asked);
     int march(const std::function<bool()> &stop_asked);
-    void come_again(long steps, const std::function<bool()> &stop_asked);
+    void rerun_to_last_good_step(long steps, const std::function<bool()> &stop_asked);
     int fail(const std::string &what, long good, const std::function<bool()> &stop_asked);
     int abandon(const std::string &what);
     int complete();
     record::Profile profile()
     {
-      weigh();
+      measure_memory();
       return profile_of(world, *recorder, held, setup_cpu, setup_wall, begin_wall);
     }
     void forget_checkpoint() const
@@ -95,7 +95,7 @@ namespace
     const scene::Scene &scene;
     const record::CommandLine &command;
     double begin_wall = record::wall_seconds();
-    double setup_cpu = 0., setup_wall = 0., last_checkpoint = 0., last_weighing = 0.;
+    double setup_cpu = 0., setup_wall = 0., last_checkpoint = 0., last_memory_check = 0.;
     bool saved = false; // there is a checkpoint of this run
     World world;
     std::map<std::string, double> held; // bytes by module, when they were most
@@ -118,7 +118,7 @@ namespace
 
   void Session::open(const bool resume)
   {
-    const auto provenance = record::collect("mpm_pf", command.joined, command.threads);
+    const auto provenance = record::collect_provenance("mpm_pf", command.joined, command.threads);
     if (!resume)
     {
       std::filesystem::create_directories(command.output);
@@ -145,23 +145,23 @@ namespace
     saved = true;
   }
 
-  void Session::weigh()
+  void Session::measure_memory()
   {
     for (const auto &[what, bytes] : memory(world))
     {
       double &most = held[what];
       most = std::max(most, bytes);
     }
-    last_weighing = record::wall_seconds();
+    last_memory_check = record::wall_seconds();
   }
 
-  bool Session::look(const std::function<bool()> &stop_asked)
+  bool Session::after_step(const std::function<bool()> &stop_asked)
   {
-    progress->expect(expected_end(world));
+    progress->set_end(expected_end(world));
     progress->update(world.time, "step " + std::to_string(world.steps));
     const double now = record::wall_seconds();
-    if (now - last_weighing > seconds_between_weighings)
-      weigh();
+    if (now - last_memory_check > seconds_between_memory_checks)
+      measure_memory();
     const bool stop = stop_asked();
     if (stop || now - last_checkpoint > seconds_between_checkpoints)
       save();
@@ -170,7 +170,7 @@ namespace
 
   /// Once more from the last checkpoint, or from the start, to the state before the trouble: the
   /// same scene gives the same bits, so a run that goes well need not keep its states.
-  void Session::come_again(const long steps, const std::function<bool()> &stop_asked)
+  void Session::rerun_to_last_good_step(const long steps, const std::function<bool()> &stop_asked)
   {
     recorder.reset(), writer.reset();
     world = World{}; // two at once might not find room
@@ -189,7 +189,7 @@ namespace
     progress->finish("failed");
     std::cerr << "mpm_pf: " << what << "\nGoing back to the last good state ...\n";
     const record::Profile spent = profile();
-    come_again(good, stop_asked);
+    rerun_to_last_good_step(good, stop_asked);
     writer->finish(spent, "failed: " + what);
     forget_checkpoint();
     std::cerr << "The record keeps what came before and, as snapshot \"" << last_good
@@ -260,17 +260,17 @@ namespace
     long good = 0;
     try
     {
-      if (!simulate(world, *recorder, [&](const World &) { return look(stop_asked); }))
+      if (!simulate(world, *recorder, [&](const World &) { return after_step(stop_asked); }))
       {
         progress->finish("interrupted; go on with --resume");
         return record::interrupted;
       }
     }
-    catch (const solid::Trouble &found)
+    catch (const solid::NumericalError &found)
     {
       trouble = found.what(), good = world.steps;
     }
-    catch (const medium::NumericalTrouble &found)
+    catch (const medium::NumericalError &found)
     {
       // The melt is judged only when its next step begins.
       trouble = found.what(), good = std::max(world.steps - 1, 0L);

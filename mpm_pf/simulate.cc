@@ -17,22 +17,23 @@ void step(World &w, const double dt)
     move_solid_alone(w, dt); // Eqs. (4)-(6)
 
   if (w.melt_moves)
-    carry(w, dt); // v . grad of Eqs. (1)-(3), CIP [18]
+    advect_melt(w, dt); // v . grad of Eqs. (1)-(3), CIP [18]
   if (w.growth)
     grow(w, dt); // right sides of Eqs. (1), (2): operator splitting [16]
   w.time += dt;
   ++w.steps;
 }
 
-bool simulate(World &world, Recorder &recorder, const std::function<bool(const World &)> &look)
+bool simulate(World &world, Recorder &recorder,
+              const std::function<bool(const World &)> &after_step)
 {
   const double end = world.scene->clock.end;
   if (world.steps == 0)
   {
-    wake_solid(world);
+    activate_solid(world);
     recorder.observe(world);
   }
-  if (!look(world))
+  if (!after_step(world))
     return false;
   while (!finished(world))
   {
@@ -46,7 +47,7 @@ bool simulate(World &world, Recorder &recorder, const std::function<bool(const W
     if (lands)
       world.time = event; // the sum of steps differs from it by round-off
     recorder.observe(world);
-    if (!look(world))
+    if (!after_step(world))
       return false;
   }
   if (world.time < end * (1. - 1e-12))

@@ -10,6 +10,7 @@
 void step(World &world, double dt);
 
 /// Run to the scene's end, observing as the probes ask. Before the first step and after every one
-/// `look` is called; it returns false to stop (interrupted). Returns whether the end was reached.
-/// Throws what step() throws.
-bool simulate(World &world, Recorder &recorder, const std::function<bool(const World &)> &look);
+/// `after_step` is called; it returns false to stop (interrupted). Returns whether the end was
+/// reached. Throws what step() throws.
+bool simulate(World &world, Recorder &recorder,
+              const std::function<bool(const World &)> &after_step);

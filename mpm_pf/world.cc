@@ -93,7 +93,7 @@ namespace
     double undercooling = scene.heat ? std::abs(scene.heat->undercooling) : 0.;
     if (scene.heat && scene.heat->initial)
     {
-      const medium::Spread theta = medium::spread_of(world.heat->value, *world.mesh);
+      const medium::Statistics theta = medium::statistics_of(world.heat->value, *world.mesh);
       undercooling = std::max({undercooling, std::abs(theta.min), std::abs(theta.max)});
     }
     world.growth = std::make_unique<melt::Growth>(*world.mesh, law, options, undercooling);
@@ -124,7 +124,7 @@ namespace
     if (scene.imposed)
     {
       world.imposed = std::make_unique<Imposed>(*scene.imposed);
-      world.imposed->write(0., *world.mesh, *world.velocity);
+      world.imposed->evaluate(0., *world.mesh, *world.velocity);
     }
   }
 } // namespace
@@ -141,12 +141,12 @@ World build_world(const scene::Scene &scene, const int threads, const bool force
   if (scene.phase_field)
   {
     distance = distance_to_interface(scene);
-    world.phase = std::make_unique<CarriedField>();
+    world.phase = std::make_unique<AdvectedField>();
     world.phase->value = phase_of_bodies(scene, *world.mesh, *distance);
   }
   if (scene.heat)
   {
-    world.heat = std::make_unique<CarriedField>();
+    world.heat = std::make_unique<AdvectedField>();
     world.heat->value = initial_temperature(*scene.heat, *world.mesh);
   }
   if (scene.orientation)
@@ -193,7 +193,7 @@ double expected_end(const World &world)
   return stop > 0. ? std::min(stop, end) : end;
 }
 
-double carried_fraction(const scene::Scene &scene)
+double advection_fraction(const scene::Scene &scene)
 {
   return scene.advection.value_or(scene::Advection{}).step_fraction;
 }
@@ -249,7 +249,7 @@ double coupling_step(const World &world)
   constexpr double substeps_between_looks = 512.;
   // A front that walls or seeding wait for may move a fraction of a cell only.
   constexpr double substeps_between_couplings = 32.;
-  const double fraction = carried_fraction(scene);
+  const double fraction = advection_fraction(scene);
   if (world.solid && !world.extension)
     step = std::min(step, substeps_between_looks * solid::stable_step(*world.solid));
   if (world.growth)

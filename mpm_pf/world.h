@@ -21,11 +21,12 @@
 
 /// A field of the melt with what its advection carries along; the gradients stay empty until
 /// something moves. phi is dimensionless (+1 solid, -1 liquid), theta = (T - Tm)/(L/cp).
-struct CarriedField
+struct AdvectedField
 {
   medium::Field<double> value;
   medium::Gradients gradients;
-  double carried = 0.; // what advection has added to the integral, unit of the field times length^2
+  double advected =
+      0.; // what advection has added to the integral, unit of the field times length^2
 };
 
 struct World
@@ -36,8 +37,8 @@ struct World
   long steps = 0;
 
   std::unique_ptr<medium::Mesh> mesh;             // if anything Eulerian exists
-  std::unique_ptr<CarriedField> phase;            // [phase_field]
-  std::unique_ptr<CarriedField> heat;             // [heat]
+  std::unique_ptr<AdvectedField> phase;           // [phase_field]
+  std::unique_ptr<AdvectedField> heat;            // [heat]
   std::unique_ptr<melt::Orientation> orientation; // [orientation]
   std::unique_ptr<melt::Noise> noise;             // [noise]
   std::unique_ptr<melt::Growth> growth;           // [growth], or [heat] alone
@@ -69,7 +70,7 @@ double expected_end(const World &);
 double coupling_step(const World &);
 
 /// Cells that a motion may cross per coupling step and axis: the scene's choice or its default.
-double carried_fraction(const scene::Scene &);
+double advection_fraction(const scene::Scene &);
 
 /// What the walls have left of the domain: all of it, if there are none.
 medium::Cuts cuts_of(const World &);

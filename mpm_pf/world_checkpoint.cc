@@ -66,8 +66,8 @@ void save(const World &world, record::CheckpointTarget &checkpoint)
   for_each_field(world, [&](const std::string &name, const Field<double> &field)
                  { put(checkpoint, name, field); });
   if (world.advection && world.heat)
-    checkpoint.put("carried", std::vector<double>{world.heat->carried,
-                                                  world.phase ? world.phase->carried : 0.});
+    checkpoint.put("carried", std::vector<double>{world.heat->advected,
+                                                  world.phase ? world.phase->advected : 0.});
   if (world.growth)
     checkpoint.put("growth steps", static_cast<double>(world.growth->steps_taken()));
   if (world.walls)
@@ -86,9 +86,9 @@ void restore(World &world, const record::Checkpoint &checkpoint)
   if (world.advection && world.heat)
   {
     const auto &carried = checkpoint.get<double>("carried");
-    world.heat->carried = carried.at(0);
+    world.heat->advected = carried.at(0);
     if (world.phase)
-      world.phase->carried = carried.at(1);
+      world.phase->advected = carried.at(1);
   }
   if (world.growth)
     world.growth->restore_steps_taken(static_cast<long>(checkpoint.number("growth steps")));

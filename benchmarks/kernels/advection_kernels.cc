@@ -62,9 +62,12 @@ namespace kernels
       const medium::Mesh mesh = mesh_of(800, 800);
       auto phi = std::make_shared<medium::Field<double>>(disc(mesh, radius));
       auto distance = std::make_shared<medium::Distance>(mesh, cells);
-      medium::measure(*distance, *phi, mesh);
+      medium::compute_distance(*distance, *phi, mesh);
       return [=]
-      { afresh ? medium::measure(*distance, *phi, mesh) : medium::follow(*distance, *phi, mesh); };
+      {
+        afresh ? medium::compute_distance(*distance, *phi, mesh)
+               : medium::update_distance(*distance, *phi, mesh);
+      };
     };
     // Whole measurements. A differential equation would need some fifty iterations instead.
     add("distance, followed", {band, 60., 12.}, [=] { return measuring(false); });

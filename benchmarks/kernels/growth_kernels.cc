@@ -64,7 +64,7 @@ namespace kernels
         []
         {
           auto melt = melt_full_of_fronts(Precision::double_precision);
-          melt::let_vary(melt->orientation, mesh_of(1200, 800));
+          melt::allocate_angle_field(melt->orientation, mesh_of(1200, 800));
           return stepping(melt, h);
         });
     add("growth, single precision", {steps * nodes, 5., 3.5},

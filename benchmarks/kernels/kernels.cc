@@ -10,7 +10,7 @@
 #include <benchmark/benchmark.h>
 #include <omp.h>
 
-#include "record/whole_file.h"
+#include "record/atomic_write.h"
 
 namespace kernels
 {
@@ -171,7 +171,7 @@ int main(int argc, char **argv)
   if (count > 1)
     try
     {
-      record::write_whole_file(arguments[1], report);
+      record::write_atomically(arguments[1], report);
     }
     catch (const std::filesystem::filesystem_error &error)
     {

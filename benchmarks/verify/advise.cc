@@ -7,10 +7,10 @@
 
 #include <fmt/format.h>
 
+#include "campaign_files.h"
 #include "commands.h"
 #include "record/provenance.h"
 #include "section.h"
-#include "written.h"
 
 namespace verify
 {
@@ -135,24 +135,24 @@ namespace verify
     }
 
     /// When and with which program it was measured; a warning if this is another one.
-    void print_origin(const Json &trade, const Places &places, const std::string &name,
+    void print_origin(const Json &trade, const Paths &paths, const std::string &name,
                       const std::string &output)
     {
       const Json &made = trade.value("provenance", Json::object());
       const std::string commit = made.value("commit", "unknown"),
-                        present = record::collect("verify", "", 1).at("commit");
+                        present = record::collect_provenance("verify", "", 1).at("commit");
       fmt::print("measured {}, commit {}\n", made.value("start", "at an unknown time"), commit);
       if (commit != present)
         fmt::print("warning: this program is of commit {}; measure again with\n  {} tradeoff {} "
                    "--output {}\n",
-                   present, places.program, name, output);
+                   present, paths.program, name, output);
     }
   } // namespace
 
-  int advise(const Places &places, const std::string &name, const std::string &quantity,
+  int advise(const Paths &paths, const std::string &name, const std::string &quantity,
              const std::string &error, const std::string &output)
   {
-    case_folder(places, name);
+    case_folder(paths, name);
     const double wanted = error_wanted(error);
     const std::string file = output + "/tradeoff/" + name + ".json";
     std::ifstream stream(file);
@@ -160,11 +160,11 @@ namespace verify
     if (!trade.is_object())
     {
       fmt::print(stderr, "{} is missing: measure first, with\n  {} tradeoff {} --output {}\n", file,
-                 places.program, name, output);
+                 paths.program, name, output);
       return 4;
     }
     const std::string measure = measure_named(trade, quantity);
-    print_origin(trade, places, name, output);
+    print_origin(trade, paths, name, output);
     const std::optional<double> uncertainty = uncertainty_of(trade, measure);
     fmt::print("{}: {} at most {:.3g}; margin {}, uncertainty of the reference {}\n", name, measure,
                wanted, margin, uncertainty ? fmt::format("{:.2g}", *uncertainty) : "unknown");

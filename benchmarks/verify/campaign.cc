@@ -13,11 +13,11 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include "campaign_files.h"
 #include "drift.h"
 #include "record/provenance.h"
-#include "safe.h"
+#include "safe_settings.h"
 #include "section.h"
-#include "written.h"
 
 namespace verify
 {
@@ -36,13 +36,13 @@ namespace verify
       return setting;
     }
 
-    std::vector<std::string> arguments_of(const Run &run, const Case &c, const Places &places,
+    std::vector<std::string> arguments_of(const Run &run, const Case &c, const Paths &paths,
                                           const std::string &folder)
     {
       std::vector<std::string> arguments;
       if (run.processes > 1)
         arguments = {"mpirun", "--oversubscribe", "-np", std::to_string(run.processes)};
-      arguments.push_back(places.solver(run.solver));
+      arguments.push_back(paths.solver(run.solver));
       arguments.push_back(c.folder + "/" + run.scene);
       for (const auto &setting : run.set)
       {
@@ -67,7 +67,7 @@ namespace verify
       if (std::regex_search(log.str(), std::regex(run.expect_output, std::regex::icase)))
         return;
       outcome.status = "failed";
-      outcome.last_words =
+      outcome.log_tail =
           fmt::format("its output does not contain `{}`:\n{}", run.expect_output, log.str());
     }
 
@@ -78,7 +78,7 @@ namespace verify
       {
         check_output(result.c.runs[i], result.jobs[i], result.outcomes[i]);
         if (result.outcomes[i].status == "diverged")
-          result.outcomes[i].last_words += nearest_safe_setting(output, result.c, result.c.runs[i]);
+          result.outcomes[i].log_tail += nearest_safe_setting(output, result.c, result.c.runs[i]);
         if (!result.outcomes[i].good())
           unusable[result.c.runs[i].name] = fmt::format(
               "{} (exit code {})", result.outcomes[i].status, result.outcomes[i].exit_code);
@@ -97,7 +97,7 @@ namespace verify
     }
 
     /// Asks the solvers what the runs that came to an end should have cost, and judges that.
-    void foretell(Campaign &campaign)
+    void make_forecasts(Campaign &campaign)
     {
       std::vector<Job> plans;
       for (const auto &result : campaign.cases)
@@ -126,13 +126,13 @@ namespace verify
     }
   } // namespace
 
-  Job job_of(const Run &run, const Case &c, const Places &places, const std::string &output)
+  Job job_of(const Run &run, const Case &c, const Paths &paths, const std::string &output)
   {
     const std::string folder = output + "/" + c.name + "/" + scene_stem(c.suite);
     Job job;
     job.name = c.name + "/" + scene_stem(c.suite) + "/" + run.name;
     job.base = folder + "/" + run.name;
-    job.command.arguments = arguments_of(run, c, places, folder);
+    job.command.arguments = arguments_of(run, c, paths, folder);
     job.command.environment = {{"OMP_NUM_THREADS", std::to_string(run.threads)},
                                {"DEAL_II_NUM_THREADS", std::to_string(run.threads)},
                                {"OMPI_ALLOW_RUN_AS_ROOT", "1"},
@@ -141,7 +141,7 @@ namespace verify
     job.command.time_limit_s = run.time_limit_s;
     job.cores = job.command.cores = run.threads * run.processes;
     job.expect_exit = run.expect_exit;
-    const std::string program = places.solver(run.solver);
+    const std::string program = paths.solver(run.solver);
     job.unavailable = !fs::exists(program);
     std::string identity =
         hash_of_scene(c.folder + "/" + run.scene, run.set) + hash_of_file(program);
@@ -151,11 +151,11 @@ namespace verify
     return job;
   }
 
-  std::vector<Job> jobs_of(const Case &c, const Places &places, const std::string &output)
+  std::vector<Job> jobs_of(const Case &c, const Paths &paths, const std::string &output)
   {
     std::vector<Job> jobs;
     for (const auto &run : c.runs)
-      jobs.push_back(job_of(run, c, places, output));
+      jobs.push_back(job_of(run, c, paths, output));
     for (std::size_t i = 0; i < jobs.size(); ++i)
       for (std::size_t k = 0; k < jobs.size(); ++k)
         if (std::count(c.runs[i].needs.begin(), c.runs[i].needs.end(), c.runs[k].name) > 0)
@@ -167,13 +167,13 @@ namespace verify
   }
 
   std::vector<Case> read_cases(const std::vector<std::string> &named, const std::string &suite,
-                               const Places &places)
+                               const Paths &paths)
   {
     std::vector<Case> cases;
     std::string errors;
-    for (const auto &name : named.empty() ? case_names(places) : named)
+    for (const auto &name : named.empty() ? case_names(paths) : named)
     {
-      const std::string folder = case_folder(places, name);
+      const std::string folder = case_folder(paths, name);
       if (!takes_part(folder, suite))
       {
         if (!named.empty())
@@ -197,18 +197,18 @@ namespace verify
     return cases;
   }
 
-  Campaign run_campaign(const CampaignOptions &options, const Places &places)
+  Campaign run_campaign(const CampaignOptions &options, const Paths &paths)
   {
     Campaign campaign;
     campaign.options = options;
     campaign.started = fmt::format("{:%Y-%m-%d %H:%M:%S} UTC", fmt::gmtime(std::time(nullptr)));
     const double start = record::wall_seconds();
-    for (const auto &c : read_cases(options.cases, options.suite, places))
+    for (const auto &c : read_cases(options.cases, options.suite, paths))
       campaign.cases.push_back({c, {}, {}, {}, {}});
     std::vector<Job> all;
     for (auto &result : campaign.cases)
     {
-      result.jobs = jobs_of(result.c, places, options.output);
+      result.jobs = jobs_of(result.c, paths, options.output);
       const std::size_t first = all.size();
       for (Job job : result.jobs)
       {
@@ -228,10 +228,10 @@ namespace verify
       if (options.accept && !interrupted())
         accept(result.verdicts, result.c);
     }
-    foretell(campaign);
+    make_forecasts(campaign);
     campaign.wall_s = record::wall_seconds() - start;
     campaign.exit_code = interrupted() ? 130 : exit_code(campaign.cases);
-    write_campaign(campaign, places);
+    write_campaign(campaign, paths);
     return campaign;
   }
 
@@ -275,10 +275,10 @@ namespace verify
     return no_reference ? 4 : drifted ? 5 : 0;
   }
 
-  std::string repeat_case(const Places &places, const Case &c, const std::string &output)
+  std::string repeat_case(const Paths &paths, const Case &c, const std::string &output)
   {
-    std::vector<std::string> words = {places.program};
-    words.insert(words.end(), places.asked.begin(), places.asked.end());
+    std::vector<std::string> words = {paths.program};
+    words.insert(words.end(), paths.asked.begin(), paths.asked.end());
     for (const auto &word : {std::string("run"), c.name, std::string("--suite"), c.suite,
                              std::string("--output"), output})
       words.push_back(word);

@@ -9,7 +9,7 @@
 #include "forecasts.h"
 #include "jobs.h"
 #include "judge.h"
-#include "places.h"
+#include "paths.h"
 
 namespace verify
 {
@@ -44,16 +44,16 @@ namespace verify
   /// The cases named (all that the suite has if none is), as they stand in the suite. Throws
   /// BadInput with every error of their files.
   std::vector<Case> read_cases(const std::vector<std::string> &named, const std::string &suite,
-                               const Places &);
+                               const Paths &);
 
   /// The process of one run, in the folder of its suite's records under `output`.
-  Job job_of(const Run &, const Case &, const Places &, const std::string &output);
+  Job job_of(const Run &, const Case &, const Paths &, const std::string &output);
   /// The jobs of one case, with their order of dependence.
-  std::vector<Job> jobs_of(const Case &, const Places &, const std::string &output);
+  std::vector<Job> jobs_of(const Case &, const Paths &, const std::string &output);
 
   /// Runs, judges, writes campaign.json, verdict.json, curves.json and junit.xml. Throws BadInput
   /// before any work if an expect.toml is wrong.
-  Campaign run_campaign(const CampaignOptions &, const Places &);
+  Campaign run_campaign(const CampaignOptions &, const Paths &);
 
   /// 0 all right, 1 a comparison failed or a run without its program is held against nothing, 2 a
   /// run found its input bad, 3 diverged or out of time, 4 reference missing, 5 drift only, 130
@@ -61,5 +61,5 @@ namespace verify
   int exit_code(const std::vector<CaseResult> &);
 
   /// The command that repeats one run or one case.
-  std::string repeat_case(const Places &, const Case &, const std::string &output);
+  std::string repeat_case(const Paths &, const Case &, const std::string &output);
 } // namespace verify

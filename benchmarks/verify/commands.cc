@@ -42,7 +42,7 @@ namespace verify
       }
     }
 
-    void print_sum(const Campaign &campaign, const Places &places)
+    void print_sum(const Campaign &campaign, const Paths &paths)
     {
       int passed = 0, failed = 0, drifted = 0, forecasts = 0;
       double cpu = 0.;
@@ -63,7 +63,7 @@ namespace verify
         }
         if (bad)
           fmt::print("repeat {} with: {}\n", result.c.name,
-                     repeat_case(places, result.c, campaign.options.output));
+                     repeat_case(paths, result.c, campaign.options.output));
       }
       fmt::print(
           "\n{} checks passed, {} failed, {} drifted ({} of all are forecasts); {:.1f} s wall, "
@@ -89,18 +89,18 @@ namespace verify
     }
   } // namespace
 
-  int list(const Places &places)
+  int list(const Paths &paths)
   {
-    const auto names = case_names(places);
+    const auto names = case_names(paths);
     if (names.empty())
       throw BadInput(fmt::format("there is no case in {}: a case is a folder with an expect.toml",
-                                 places.cases));
+                                 paths.cases));
     std::string errors; // of all files at once; the other cases are listed all the same
     for (const auto &name : names)
       try
       {
         fmt::print("{}\n", name);
-        list_case(case_folder(places, name));
+        list_case(case_folder(paths, name));
       }
       catch (const BadInput &error)
       {
@@ -113,10 +113,10 @@ namespace verify
 
   namespace
   {
-    void print_plan(const Places &places, const Case &c)
+    void print_plan(const Paths &paths, const Case &c)
     {
       fmt::print("{}: {}\n{}\nsuite {}, scene {}\n\n", c.name, c.title, c.about, c.suite, c.scene);
-      const auto jobs = jobs_of(c, places, "results/" + c.suite);
+      const auto jobs = jobs_of(c, paths, "results/" + c.suite);
       for (std::size_t i = 0; i < jobs.size(); ++i)
         fmt::print("run {} (at most {:.0f} s{}{})\n  {}\n", c.runs[i].name, c.runs[i].time_limit_s,
                    c.runs[i].expect_exit
@@ -133,35 +133,35 @@ namespace verify
     }
   } // namespace
 
-  int plan(const Places &places, const std::vector<std::string> &cases, const std::string &suite)
+  int plan(const Paths &paths, const std::vector<std::string> &cases, const std::string &suite)
   {
     const char *gap = "";
-    for (const auto &c : read_cases(cases, suite, places))
+    for (const auto &c : read_cases(cases, suite, paths))
     {
       fmt::print("{}", gap);
-      print_plan(places, c);
+      print_plan(paths, c);
       gap = "\n";
     }
     return 0;
   }
 
-  int run(const Places &places, const CampaignOptions &options)
+  int run(const Paths &paths, const CampaignOptions &options)
   {
-    const Campaign campaign = run_campaign(options, places);
+    const Campaign campaign = run_campaign(options, paths);
     for (const auto &result : campaign.cases)
       print_case(result);
-    print_sum(campaign, places);
-    report(places, options.output);
+    print_sum(campaign, paths);
+    report(paths, options.output);
     return campaign.exit_code;
   }
 
-  int report(const Places &places, const std::string &folder)
+  int report(const Paths &paths, const std::string &folder)
   {
     const bool any = fs::exists(folder + "/campaign.json") || fs::exists(folder + "/tradeoff") ||
                      fs::exists(folder + "/stability");
     if (!any)
       throw BadInput(fmt::format("{} holds no campaign.json: no campaign was run there", folder));
-    const int code = run_python(places, "report.py", {folder});
+    const int code = run_python(paths, "report.py", {folder});
     if (code == 0)
       fmt::print("report: {}/index.html\n", folder);
     else
@@ -172,29 +172,29 @@ namespace verify
 
   namespace
   {
-    int table(const Places &places, const char *script, const std::string &folder,
+    int table(const Paths &paths, const char *script, const std::string &folder,
               const std::string &readme)
     {
       std::vector<std::string> arguments{folder};
       if (!readme.empty())
         arguments.push_back(readme);
-      return run_python(places, script, arguments);
+      return run_python(paths, script, arguments);
     }
   } // namespace
 
-  int presets(const Places &places, const std::string &folder, const std::string &readme)
+  int presets(const Paths &paths, const std::string &folder, const std::string &readme)
   {
-    return table(places, "presets.py", folder, readme);
+    return table(paths, "presets.py", folder, readme);
   }
 
-  int modules(const Places &places, const std::string &folder, const std::string &readme)
+  int modules(const Paths &paths, const std::string &folder, const std::string &readme)
   {
-    return table(places, "report_modules.py", folder, readme);
+    return table(paths, "report_modules.py", folder, readme);
   }
 
-  int figures(const Places &places, const std::string &folder)
+  int figures(const Paths &paths, const std::string &folder)
   {
-    const int code = run_python(places, "figures.py", {folder});
+    const int code = run_python(paths, "figures.py", {folder});
     return code == 0 || code == 1 || code == 4 ? code : 2; // what figures.py documents
   }
 } // namespace verify

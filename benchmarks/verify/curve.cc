@@ -164,7 +164,7 @@ namespace verify
     return result;
   }
 
-  Common common_samples(const Curve &a, const Curve &b, const double coverage)
+  CommonSamples common_samples(const Curve &a, const Curve &b, const double coverage)
   {
     refuse_infinite(a);
     refuse_infinite(b);
@@ -175,7 +175,7 @@ namespace verify
       throw MissingData(fmt::format("the abscissa turns round {} times in one and {} times in the "
                                     "other",
                                     in_a.size() - 1, in_b.size() - 1));
-    Common common;
+    CommonSamples common;
     std::size_t finite_a = 0, covered_a = 0, finite_b = 0, covered_b = 0;
     for (std::size_t k = 0; k < in_a.size(); ++k)
     {
@@ -203,7 +203,7 @@ namespace verify
     return common;
   }
 
-  std::vector<double> weights(const Common &common)
+  std::vector<double> weights(const CommonSamples &common)
   {
     const std::size_t n = common.x.size();
     std::vector<double> weight(n, 0.);

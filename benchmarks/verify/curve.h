@@ -18,7 +18,7 @@ namespace verify
 
   /// Two curves at common abscissas: those of b, branch by branch. Where either is NaN both are
   /// left out.
-  struct Common
+  struct CommonSamples
   {
     std::vector<double> x, a, b;
     std::vector<std::size_t> start; // first sample of each branch
@@ -26,11 +26,11 @@ namespace verify
 
   /// Throws MissingData if the branches differ in number, a value is infinite, or the part where
   /// both have values is less than `coverage` (0 to 1) of that where either has.
-  Common common_samples(const Curve &a, const Curve &b, double coverage);
+  CommonSamples common_samples(const Curve &a, const Curve &b, double coverage);
 
   /// Trapezoidal weights of the samples over |dx|, branch by branch; equal weights if the abscissa
   /// has no extent.
-  std::vector<double> weights(const Common &);
+  std::vector<double> weights(const CommonSamples &);
 
   /// The stretch of the curve with key (its time, or its abscissa) within [from, to].
   Curve between(const Curve &, bool by_time, double from, double to);

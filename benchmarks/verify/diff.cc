@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
+#include "campaign_files.h"
 #include "commands.h"
 #include "section.h"
-#include "written.h"
 
 namespace verify
 {

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "record/whole_file.h"
+#include "record/atomic_write.h"
 #include "section.h"
 
 namespace verify
@@ -89,6 +89,6 @@ namespace verify
           file += quoted(name) + " = " + number + "\n";
         }
       }
-    record::write_whole_file(path_of(c), file);
+    record::write_atomically(path_of(c), file);
   }
 } // namespace verify

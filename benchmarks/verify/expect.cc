@@ -83,7 +83,7 @@ namespace verify
       const auto suites = section.texts("suites");
       for (const auto &name : suites)
         if (name != "smoke" && name != "quick" && name != "full")
-          section.complain("suites", "a suite is smoke, quick or full, not " + name);
+          section.add_error("suites", "a suite is smoke, quick or full, not " + name);
       return suites.empty() || std::find(suites.begin(), suites.end(), suite) != suites.end();
     }
 
@@ -97,11 +97,11 @@ namespace verify
       Run run;
       run.solver = section.required_text("solver");
       if (run.solver != "mpm_pf" && run.solver != "fe_reference")
-        section.complain("solver", "the solver is \"mpm_pf\" or \"fe_reference\"");
+        section.add_error("solver", "the solver is \"mpm_pf\" or \"fe_reference\"");
       run.name = section.text("name", run.solver);
       run.scene = section.text("scene", c.scene);
       if (!run.scene.empty() && !fs::exists(fs::path(c.folder) / run.scene))
-        section.complain("scene", fmt::format("there is no {} in the case folder", run.scene));
+        section.add_error("scene", fmt::format("there is no {} in the case folder", run.scene));
       run.set = section.texts("set");
       run.needs = section.texts("needs");
       run.h = section.number("h");
@@ -119,15 +119,15 @@ namespace verify
       const bool interval = check.norm == "value" || !check.order_over.empty();
       if (limits.empty() || limits.size() > 2 || (interval && limits.size() == 1))
       {
-        section.complain("limit", interval
-                                      ? "this check needs limit = [low, high]: limits are two-sided"
-                                      : "this check needs limit = one number, or [low, high]");
+        section.add_error("limit",
+                          interval ? "this check needs limit = [low, high]: limits are two-sided"
+                                   : "this check needs limit = one number, or [low, high]");
         return;
       }
       check.low = limits.size() == 2 ? value_of(section, "limit", limits[0], constants) : 0.;
       check.high = value_of(section, "limit", limits.back(), constants);
       if (!(check.low <= check.high))
-        section.complain("limit", "the lower limit is above the upper one");
+        section.add_error("limit", "the lower limit is above the upper one");
     }
 
     void read_uncertainty(Section &section, Check &check)
@@ -140,7 +140,7 @@ namespace verify
       check.order_at_most = uncertainty->number("order_at_most").value_or(2.);
       for (const auto &runs : {check.uncertain_take, check.uncertain_against})
         if (runs.size() == 1 || runs.size() == 2)
-          section.complain("uncertainty", "an uncertainty needs at least three grids");
+          section.add_error("uncertainty", "an uncertainty needs at least three grids");
       uncertainty->refuse_unused();
     }
 
@@ -157,13 +157,13 @@ namespace verify
       check.coverage = section.number("coverage");
       check.drift = section.number("drift").value_or(0.02);
       if (std::find(norms.begin(), norms.end(), check.norm) == norms.end())
-        section.complain("norm", "no such norm", fmt::format("one of {}", fmt::join(norms, ", ")));
+        section.add_error("norm", "no such norm", fmt::format("one of {}", fmt::join(norms, ", ")));
       if (check.order_over.size() == 1)
-        section.complain("order_over", "an order needs at least two runs");
+        section.add_error("order_over", "an order needs at least two runs");
       if (auto take = section.section("take"))
         check.take = read_take(*take, nullptr);
       else
-        section.complain("", "the check has no `take`");
+        section.add_error("", "the check has no `take`");
       check.against = read_against(section, check);
       read_uncertainty(section, check);
       read_limit(section, check, c.constants);
@@ -179,10 +179,10 @@ namespace verify
       graded.insert(check.uncertain_against.begin(), check.uncertain_against.end());
       for (const auto &name : runs_of(check))
         if (!c.find_run(name))
-          section.complain("take", fmt::format("suite {} has no run `{}`", c.suite, name),
-                           "list it as [[run]], or restrict the check with suites = [...]");
+          section.add_error("take", fmt::format("suite {} has no run `{}`", c.suite, name),
+                            "list it as [[run]], or restrict the check with suites = [...]");
         else if (graded.count(name) && !c.find_run(name)->h)
-          section.complain("take", fmt::format("run `{}` needs its mesh size `h`", name));
+          section.add_error("take", fmt::format("run `{}` needs its mesh size `h`", name));
     }
 
     /// Runs that need each other would wait for ever.
@@ -200,10 +200,11 @@ namespace verify
       }
       for (const auto &run : c.runs)
         if (startable.count(run.name) == 0)
-          file.complain("run",
-                        fmt::format("run `{}` can never start: what it needs, {}, waits for itself",
-                                    run.name, fmt::join(run.needs, ", ")),
-                        "let `needs` name only runs that can be finished before");
+          file.add_error(
+              "run",
+              fmt::format("run `{}` can never start: what it needs, {}, waits for itself", run.name,
+                          fmt::join(run.needs, ", ")),
+              "let `needs` name only runs that can be finished before");
     }
 
     void read_runs(Section &file, Case &c)
@@ -214,18 +215,18 @@ namespace verify
         Run run = read_run(section, c);
         section.refuse_unused();
         if (here && c.find_run(run.name))
-          section.complain("name",
-                           fmt::format("two runs of suite {} are called `{}`", c.suite, run.name));
+          section.add_error("name",
+                            fmt::format("two runs of suite {} are called `{}`", c.suite, run.name));
         if (here)
           c.runs.push_back(run);
       }
       if (c.runs.empty())
-        file.complain("", fmt::format("no [[run]] for suite {}", c.suite));
+        file.add_error("", fmt::format("no [[run]] for suite {}", c.suite));
       for (const auto &run : c.runs)
         for (const auto &needed : run.needs)
           if (!c.find_run(needed))
-            file.complain("run", fmt::format("run `{}` needs `{}`, which this suite does not have",
-                                             run.name, needed));
+            file.add_error("run", fmt::format("run `{}` needs `{}`, which this suite does not have",
+                                              run.name, needed));
       refuse_circles(file, c);
     }
   } // namespace
@@ -252,8 +253,8 @@ namespace verify
       section.refuse_unused();
       check_names(section, check, c);
       if (!names.insert(check.name).second)
-        section.complain("name",
-                         fmt::format("two checks of suite {} are called `{}`", suite, check.name));
+        section.add_error("name",
+                          fmt::format("two checks of suite {} are called `{}`", suite, check.name));
       c.checks.push_back(check);
     }
     file.refuse_unused();

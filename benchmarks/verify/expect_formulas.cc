@@ -29,14 +29,14 @@ namespace verify
             Names known = also;
             for (const auto &constant : constants)
               known.insert(constant.first);
-            section.complain(key, fmt::format("`{}`: no such name: `{}`", text, name),
-                             known.empty() ? "there are no [constants]"
-                                           : fmt::format("there are: {}", fmt::join(known, ", ")));
+            section.add_error(key, fmt::format("`{}`: no such name: `{}`", text, name),
+                              known.empty() ? "there are no [constants]"
+                                            : fmt::format("there are: {}", fmt::join(known, ", ")));
           }
       }
       catch (const BadInput &error)
       {
-        section.complain(key, error.what());
+        section.add_error(key, error.what());
       }
     }
 
@@ -85,7 +85,7 @@ namespace verify
     }
     catch (const BadInput &error)
     {
-      section.complain(key, error.what());
+      section.add_error(key, error.what());
       return 0.;
     }
   }

@@ -1,5 +1,5 @@
-// Formulas of expect.toml and its kin, examined as they are read: a slip is told with its place
-// before anything runs, not after the runs that it was to judge.
+// Formulas of expect.toml and the like, checked as they are read: a mistake is reported with its
+// place before anything runs, not after the runs that it was to judge.
 #pragma once
 
 #include <string>

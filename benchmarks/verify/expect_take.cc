@@ -36,7 +36,7 @@ namespace verify
             take.probes.push_back({"", section.text(key)});
         }
       if (found > 1 || (found == 0 && !has_base))
-        section.complain("", "a take names one of table, line, outline, snapshot, number, value");
+        section.add_error("", "a take names one of table, line, outline, snapshot, number, value");
     }
 
     void read_with(Section &section, Take &take)
@@ -58,34 +58,34 @@ namespace verify
     {
       using Kind = Take::Kind;
       if (take.kind == Kind::snapshot && take.reduce.empty())
-        section.complain("", "a snapshot needs `reduce`: max, min, mean, ...");
+        section.add_error("", "a snapshot needs `reduce`: max, min, mean, ...");
       for (const char *along : {"slope", "integral", "ripple"})
         if (take.kind == Kind::snapshot && take.reduce == along)
-          section.complain("reduce",
-                           fmt::format("`{}` is along a line or over time; a snapshot has "
-                                       "no abscissa",
-                                       along));
+          section.add_error("reduce",
+                            fmt::format("`{}` is along a line or over time; a snapshot has "
+                                        "no abscissa",
+                                        along));
       if (take.of.empty() &&
           (take.kind == Kind::table || take.kind == Kind::line || take.kind == Kind::snapshot))
-        section.complain("", "the take does not say which quantity: `of` is missing");
+        section.add_error("", "the take does not say which quantity: `of` is missing");
       if (take.kind == Kind::outline && take.of == "side" &&
           (take.side.empty() || take.x.empty() == take.y.empty()))
-        section.complain("", "a side position needs side = \"left\" or \"right\" and y, or "
-                             "side = \"top\" or \"bottom\" and x");
+        section.add_error("", "a side position needs side = \"left\" or \"right\" and y, or "
+                              "side = \"top\" or \"bottom\" and x");
       if (take.kind == Kind::outline && take.of.rfind("extreme_", 0) == 0 && take.side.empty())
-        section.complain("", "an extreme needs side = \"left\", \"right\", \"bottom\" or \"top\"");
+        section.add_error("", "an extreme needs side = \"left\", \"right\", \"bottom\" or \"top\"");
       if (!take.mirror.empty() && take.mirror != "x" && take.mirror != "y" && take.mirror != "none")
-        section.complain("mirror", fmt::format("no such mirror: `{}`", take.mirror),
-                         "\"x\" (x -> -x), \"y\" (y -> -y) or \"none\"");
+        section.add_error("mirror", fmt::format("no such mirror: `{}`", take.mirror),
+                          "\"x\" (x -> -x), \"y\" (y -> -y) or \"none\"");
       if (!take.mirror.empty() && take.kind != Kind::outline)
-        section.complain("mirror", "only an outline has a mirror image");
+        section.add_error("mirror", "only an outline has a mirror image");
       if (!take.reduce.empty() &&
           std::find(reductions.begin(), reductions.end(), take.reduce) == reductions.end())
-        section.complain("reduce", fmt::format("no such reduction: `{}`", take.reduce));
+        section.add_error("reduce", fmt::format("no such reduction: `{}`", take.reduce));
       if (!take.between.empty() && take.between.size() != 2)
-        section.complain("between", "`between` is [from, to]");
+        section.add_error("between", "`between` is [from, to]");
       if (!take.box.empty() && take.box.size() != 4)
-        section.complain("box", "`box` is [[x0, y0], [x1, y1]]");
+        section.add_error("box", "`box` is [[x0, y0], [x1, y1]]");
     }
 
     bool gives_outline(const Take &take)
@@ -104,14 +104,14 @@ namespace verify
       const bool of_outlines = check.norm == "hausdorff" || check.norm == "rms_distance" ||
                                check.norm.find("symmetric_difference") != std::string::npos;
       if (of_outlines != gives_outline(check.take))
-        section.complain("norm", of_outlines ? "this norm compares outlines"
-                                             : "outlines need symmetric_difference, hausdorff or "
-                                               "rms_distance");
+        section.add_error("norm", of_outlines ? "this norm compares outlines"
+                                              : "outlines need symmetric_difference, hausdorff or "
+                                                "rms_distance");
       if (gives_curve(check.take) && (check.norm == "relative" || check.norm == "absolute"))
-        section.complain("norm", "this norm compares numbers and the take is a curve",
-                         "take it with `at` or `reduce`, or say max, rms, l2 or mean");
+        section.add_error("norm", "this norm compares numbers and the take is a curve",
+                          "take it with `at` or `reduce`, or say max, rms, l2 or mean");
       if ((check.norm == "value") != (check.against.kind == Against::Kind::nothing))
-        section.complain("norm", "`value` stands without `against`, every other norm with it");
+        section.add_error("norm", "`value` stands without `against`, every other norm with it");
     }
 
     Against read_against_table(Section &section, const Take &take)
@@ -160,7 +160,7 @@ namespace verify
         }
         catch (const BadInput &error)
         {
-          section->complain(key, error.what());
+          section->add_error(key, error.what());
         }
   }
 
@@ -209,7 +209,7 @@ namespace verify
       if (section.text("against") == "zero")
         against.kind = Against::Kind::zero;
       else
-        section.complain("against", "`against` is a table, or \"zero\"");
+        section.add_error("against", "`against` is a table, or \"zero\"");
     }
     else if (auto table = section.section("against"))
       against = read_against_table(*table, check.take);

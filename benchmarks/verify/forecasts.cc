@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "written.h"
+#include "campaign_files.h"
 
 namespace verify
 {
@@ -50,16 +50,16 @@ namespace verify
       return any ? std::optional<double>(total) : std::nullopt;
     }
 
-    bool sown(const Json &run)
+    bool points_are_seeded(const Json &run)
     {
       return run.contains("profile") && run.at("profile").contains("growth_steps") &&
              run.at("profile").contains("points");
     }
 
     /// As a part of what is allowed.
-    double time_miss(const double foretold_s, const double measured_s, const double factor)
+    double time_miss(const double forecast_s, const double measured_s, const double factor)
     {
-      return std::abs(std::log(foretold_s / measured_s)) / std::log(factor);
+      return std::abs(std::log(forecast_s / measured_s)) / std::log(factor);
     }
 
     Verdict forecast_of(const std::string &name, const std::string &reason)
@@ -124,7 +124,7 @@ namespace verify
       return;
     const double cpu = run.at("cpu_s"), resident = run.at("peak_rss_bytes");
     const auto bytes = measured_bytes(run);
-    const double factor = run.at("solver") == "fe_reference" || sown(run) ? 3. : 2.;
+    const double factor = run.at("solver") == "fe_reference" || points_are_seeded(run) ? 3. : 2.;
     Json json{{"on", forecast->on},
               {"off", forecast->off},
               {"bytes", forecast->bytes},
@@ -159,16 +159,16 @@ namespace verify
 
   Verdict forecast_verdict(const Json &run)
   {
-    Verdict verdict =
-        forecast_of(run.at("name"),
-                    "memory of the solver within 10 %, resident memory within 10 % + 50 MB, CPU "
-                    "time within a factor 2, or 3 where elements choose their steps or points are "
-                    "sown; time counts from 10 s of CPU on, of shorter runs in sum, memory of the "
-                    "solver from 1 MB on");
+    Verdict verdict = forecast_of(
+        run.at("name"),
+        "memory of the solver within 10 %, resident memory within 10 % + 50 MB, CPU "
+        "time within a factor 2, or 3 where elements choose their steps or points are "
+        "seeded; time counts from 10 s of CPU on, of shorter runs in sum, memory of the "
+        "solver from 1 MB on");
     verdict.check.take.run = run.at("name");
     if (!run.contains("forecast") || run.at("forecast").at("worst_miss").is_null())
     {
-      verdict.why = "the solver foretold nothing, or what is no number";
+      verdict.why = "the solver predicted nothing, or what is no number";
       return verdict;
     }
     const Json &forecast = run.at("forecast");
@@ -177,7 +177,7 @@ namespace verify
     const auto megabytes = [](const Json &bytes)
     { return bytes.is_null() ? std::nan("") : bytes.get<double>() / 1e6; };
     verdict.why = fmt::format(
-        "foretold over measured: CPU {:.3g}/{:.3g} s ({}), solver {:.3g}/{:.3g} MB ({}), resident "
+        "predicted over measured: CPU {:.3g}/{:.3g} s ({}), solver {:.3g}/{:.3g} MB ({}), resident "
         "{:.3g}/{:.3g} MB ({})",
         forecast.at("cpu_s").get<double>(), run.at("cpu_s").get<double>(),
         forecast.at("time").get<std::string>(), megabytes(forecast.at("solver_bytes")),
@@ -189,33 +189,33 @@ namespace verify
 
   std::optional<Verdict> short_runs_verdict(const std::vector<Json> &runs)
   {
-    double foretold = 0., measured = 0., factor = 2.;
+    double predicted = 0., measured = 0., factor = 2.;
     int count = 0;
     for (const Json &run : runs)
     {
       const Json forecast = run.value("forecast", Json());
       if (!forecast.is_object() || !forecast.at("cpu_s").is_number())
         continue; // what is no number has failed on its own
-      const double foretold_s = forecast.at("cpu_s"), measured_s = run.at("cpu_s");
-      if (std::max(foretold_s, measured_s) >= gated_run_s)
+      const double forecast_s = forecast.at("cpu_s"), measured_s = run.at("cpu_s");
+      if (std::max(forecast_s, measured_s) >= gated_run_s)
         continue;
       ++count;
-      foretold += foretold_s + start_s;
+      predicted += forecast_s + start_s;
       measured += measured_s + start_s;
       factor = std::max(factor, forecast.at("time_factor").get<double>());
     }
-    if (std::max(foretold, measured) < gated_run_s + count * start_s)
+    if (std::max(predicted, measured) < gated_run_s + count * start_s)
       return {};
     Verdict verdict = forecast_of(
         "short runs together",
         "CPU time of the runs of less than 10 s, which say little one by one, in sum within a "
-        "factor 2, or 3 where one of them is of elements or its points are sown");
-    verdict.value = time_miss(foretold, measured, factor);
+        "factor 2, or 3 where one of them is of elements or its points are seeded");
+    verdict.value = time_miss(predicted, measured, factor);
     verdict.status = *verdict.value <= 1. ? Status::pass : Status::fail;
     verdict.why =
-        fmt::format("foretold over measured: CPU {:.3g}/{:.3g} s of {} runs, {:.2g} s for "
+        fmt::format("predicted over measured: CPU {:.3g}/{:.3g} s of {} runs, {:.2g} s for "
                     "the start of each",
-                    foretold, measured, count, start_s);
+                    predicted, measured, count, start_s);
     return verdict;
   }
 

@@ -1,6 +1,6 @@
-// What the solvers foretell of their own runs (`--plan`), and whether it came true: memory of the
+// What the solvers forecast of their own runs (`--plan`), and whether it came true: memory of the
 // solver within 10 %, resident memory within 10 % + 50 MB, CPU time within a factor 2 (3 where
-// finite elements choose their own steps or points are sown during the run).
+// finite elements choose their own steps or points are seeded during the run).
 #pragma once
 
 #include <map>
@@ -25,10 +25,10 @@ namespace verify
   /// The job that asks for the plan of a run.
   Job forecast_job(const Job &run);
 
-  /// From the log of such a job; empty if the solver foretold nothing.
+  /// From the log of such a job; empty if the solver predicted nothing.
   std::optional<Forecast> read_forecast(const std::string &log);
 
-  /// Adds `forecast` to a run as run_to_json wrote it: what was foretold, what was measured, and
+  /// Adds `forecast` to a run as run_to_json wrote it: what was predicted, what was measured, and
   /// for memory and time "met", "missed" or "not judged" (too short to say, or not recorded).
   void add_forecast(const std::optional<Forecast> &, nlohmann::ordered_json &run);
 
@@ -36,7 +36,7 @@ namespace verify
   Verdict forecast_verdict(const nlohmann::ordered_json &run);
 
   /// The check that the forecasts of the short runs of a case are together: their CPU time,
-  /// foretold and measured, where either sum is so long as to count. Empty where it is not.
+  /// predicted and measured, where either sum is so long as to count. Empty where it is not.
   std::optional<Verdict> short_runs_verdict(const std::vector<nlohmann::ordered_json> &runs);
   bool is_forecast(const Verdict &);
 } // namespace verify

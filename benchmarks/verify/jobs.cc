@@ -12,7 +12,7 @@
 
 #include "json_text.h"
 #include "progress.h"
-#include "record/whole_file.h"
+#include "record/atomic_write.h"
 
 namespace verify
 {
@@ -21,7 +21,7 @@ namespace verify
   {
     constexpr int trouble = 3; // exit code of a run that met numerical trouble
 
-    std::string status_of(const Job &job, const Ended &ended)
+    std::string status_of(const Job &job, const ProcessResult &ended)
     {
       if (ended.timed_out) // when told to stop it may leave with any code but that of trouble
         return ended.exit_code == trouble ? "diverged" : "timed out";
@@ -34,7 +34,7 @@ namespace verify
                                           : "failed";
     }
 
-    std::string last_words(const std::string &log)
+    std::string log_tail(const std::string &log)
     {
       std::ifstream stream(log);
       std::vector<std::string> lines;
@@ -55,9 +55,9 @@ namespace verify
                        {"cpu_s", outcome.cpu_s},
                        {"peak_rss_bytes", outcome.peak_rss_bytes},
                        {"time_limit_s", job.command.time_limit_s},
-                       {"last_words", outcome.last_words},
+                       {"last_words", outcome.log_tail},
                        {"command", shell(job.command.arguments)}};
-      record::write_whole_file(job.base + ".run.json", json_text(state));
+      record::write_atomically(job.base + ".run.json", json_text(state));
     }
 
     Json read_state(const Job &job)
@@ -78,7 +78,7 @@ namespace verify
       outcome.wall_s = state.value("wall_s", 0.);
       outcome.cpu_s = state.value("cpu_s", 0.);
       outcome.peak_rss_bytes = state.value("peak_rss_bytes", 0.);
-      outcome.last_words = state.value("last_words", "");
+      outcome.log_tail = state.value("last_words", "");
       outcome.reused = true;
       const bool longer = job.command.time_limit_s > state.value("time_limit_s", 0.);
       if (outcome.status == "interrupted" || (outcome.status == "timed out" && longer))
@@ -88,7 +88,7 @@ namespace verify
       return outcome.good() || job.any_exit ? std::optional<Outcome>(outcome) : std::nullopt;
     }
 
-    Outcome finish(const Job &job, const Ended &ended)
+    Outcome finish(const Job &job, const ProcessResult &ended)
     {
       Outcome outcome;
       outcome.exit_code = ended.exit_code;
@@ -102,13 +102,13 @@ namespace verify
         for (const char *extension : {".h5", ".xdmf"})
           fs::remove(job.base + extension);
       if (!outcome.good())
-        outcome.last_words = last_words(job.command.log);
+        outcome.log_tail = log_tail(job.command.log);
       if (ended.timed_out && outcome.status == "diverged")
-        outcome.last_words =
+        outcome.log_tail =
             fmt::format("it met trouble, and its time limit of {:g} s ended it on the way back to "
                         "the last good state\n",
                         job.command.time_limit_s) +
-            outcome.last_words;
+            outcome.log_tail;
       write_state(job, outcome);
       return outcome;
     }
@@ -144,9 +144,9 @@ namespace verify
           Outcome outcome;
           outcome.status = job.unavailable ? "no program" : "failed";
           outcome.exit_code = -1;
-          outcome.last_words = job.unavailable
-                                   ? job.command.arguments[0] + " is not there: build it first\n"
-                                   : "a run that this one needs did not finish\n";
+          outcome.log_tail = job.unavailable
+                                 ? job.command.arguments[0] + " is not there: build it first\n"
+                                 : "a run that this one needs did not finish\n";
           outcomes[i] = outcome;
           progress.done(job.name, outcome.status, 0.);
           return;
@@ -185,7 +185,7 @@ namespace verify
         {
           queue.waiting.push_back(i);
           const auto earlier = read_state(queue.jobs[i]);
-          queue.progress.expect(earlier.is_object() ? earlier.value("wall_s", 0.) : 0.);
+          queue.progress.add_run(earlier.is_object() ? earlier.value("wall_s", 0.) : 0.);
         }
       }
     }

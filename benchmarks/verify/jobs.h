@@ -34,7 +34,7 @@ namespace verify
     int exit_code = 0;
     double wall_s = 0., cpu_s = 0., peak_rss_bytes = 0.;
     bool reused = false;
-    std::string last_words; // end of the log, if it went wrong
+    std::string log_tail; // end of the log, if it went wrong
     bool good() const { return status == "complete" || status == "as expected"; }
   };
 

@@ -1,7 +1,7 @@
 // JUnit XML with the numbers as properties (CTest's own writer drops them).
 #include <fmt/format.h>
 
-#include "written.h"
+#include "campaign_files.h"
 
 namespace verify
 {
@@ -69,13 +69,13 @@ namespace verify
       text += "      </properties>\n";
       if (!outcome.good())
         text += fmt::format("      <error message=\"{}\">{}\nrepeat with: {}</error>\n",
-                            escaped(outcome.status), escaped(outcome.last_words),
+                            escaped(outcome.status), escaped(outcome.log_tail),
                             escaped(shell(job.command.arguments)));
       return text + "    </testcase>\n";
     }
   } // namespace
 
-  std::string junit(const Campaign &campaign, const Places &places)
+  std::string junit(const Campaign &campaign, const Paths &paths)
   {
     std::string suites;
     for (const auto &result : campaign.cases)
@@ -91,7 +91,7 @@ namespace verify
       {
         failures += v.status == Status::fail || v.status == Status::missing ? 1 : 0;
         errors += v.status == Status::no_reference ? 1 : 0;
-        cases += test_case(v, result.c, repeat_case(places, result.c, campaign.options.output));
+        cases += test_case(v, result.c, repeat_case(paths, result.c, campaign.options.output));
       }
       suites += fmt::format("  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" "
                             "errors=\"{}\">\n{}  </testsuite>\n",

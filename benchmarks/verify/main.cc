@@ -97,20 +97,20 @@ namespace
     presets->add_option("--output", a.output, "where it was measured (default: results/full)");
     presets->add_option("--readme", a.readme, "write the table between the marks of this file");
     auto *modules = app.add_subcommand(
-        "modules", "modules, memory and time per case, foretold and measured, from a campaign");
+        "modules", "modules, memory and time per case, predicted and measured, from a campaign");
     modules->add_option("--output", a.output, "folder of the campaign (default: results/quick)");
     modules->add_option("--readme", a.readme, "write the table between the marks of this file");
   }
 
   /// The worst exit code of the cases; one that cannot be traded is only told of, unless it was
   /// named.
-  int trade_all(const Places &places, const CampaignOptions &options)
+  int trade_all(const Paths &paths, const CampaignOptions &options)
   {
     int worst = 0;
-    for (const auto &name : options.cases.empty() ? case_names(places) : options.cases)
+    for (const auto &name : options.cases.empty() ? case_names(paths) : options.cases)
       try
       {
-        const int code = tradeoff(places, name, options);
+        const int code = tradeoff(paths, name, options);
         if (code == 130)
           return code;
         worst = std::max(worst, code);
@@ -128,21 +128,21 @@ namespace
   {
     if (app.got_subcommand("diff"))
       return diff(a.name, a.other);
-    const Places places = find_places(program, a.cases, a.solvers);
+    const Paths paths = find_paths(program, a.cases, a.solvers);
     if (app.got_subcommand("list"))
-      return list(places);
+      return list(paths);
     if (app.got_subcommand("plan"))
-      return plan(places, a.campaign.cases, a.suite.empty() ? "quick" : a.suite);
+      return plan(paths, a.campaign.cases, a.suite.empty() ? "quick" : a.suite);
     if (app.got_subcommand("report"))
-      return report(places, a.name);
+      return report(paths, a.name);
     if (app.got_subcommand("figures"))
-      return figures(places, a.output.empty() ? "results/full" : a.output);
+      return figures(paths, a.output.empty() ? "results/full" : a.output);
     if (app.got_subcommand("presets"))
-      return presets(places, a.output.empty() ? "results/full" : a.output, a.readme);
+      return presets(paths, a.output.empty() ? "results/full" : a.output, a.readme);
     if (app.got_subcommand("modules"))
-      return modules(places, a.output.empty() ? "results/quick" : a.output, a.readme);
+      return modules(paths, a.output.empty() ? "results/quick" : a.output, a.readme);
     if (app.got_subcommand("advise"))
-      return advise(places, a.name, a.quantity, a.error,
+      return advise(paths, a.name, a.quantity, a.error,
                     a.output.empty() ? "results/full" : a.output);
     if (app.got_subcommand("tradeoff") ||
         (app.got_subcommand("stability") && !app.get_subcommand("stability")->count("--suite")))
@@ -151,10 +151,10 @@ namespace
     if (a.campaign.cores <= 0)
       a.campaign.cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
     if (app.got_subcommand("tradeoff"))
-      return trade_all(places, a.campaign);
+      return trade_all(paths, a.campaign);
     if (app.got_subcommand("stability"))
-      return stability(places, a.campaign);
-    return run(places, a.campaign);
+      return stability(paths, a.campaign);
+    return run(paths, a.campaign);
   }
 
   int no_such_command(const CLI::App &app, const std::string &written)

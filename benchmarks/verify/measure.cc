@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 
 #include "curve.h"
+#include "history_end.h"
 #include "outline_measure.h"
 #include "section.h"
-#include "whole_run.h"
 
 namespace verify
 {

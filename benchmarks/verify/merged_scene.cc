@@ -43,12 +43,12 @@ namespace verify
     const bool top = first == std::string::npos;
     const scene::Section *section = scene::find_section(top ? "" : key.substr(0, first));
     const scene::Key *known = section ? section->find(top ? key : key.substr(last + 1)) : nullptr;
-    return known && !known->standard.empty() ? known->standard : absent_value;
+    return known && !known->default_text.empty() ? known->default_text : absent_value;
   }
 
   MergedScene merged_scene(const Case &c, const Run &run)
   {
-    scene::Complaints complaints;
+    scene::ErrorList complaints;
     MergedScene merged{scene::load_document(c.folder + "/" + run.scene, run.set, complaints)};
     scene::apply_preset(merged.root, complaints);
     return merged;

@@ -17,6 +17,6 @@ namespace verify
     std::string value(const std::string &key) const;
   };
 
-  /// Errors of the scene are not told here: the solver has told them.
+  /// Errors of the scene are not reported here: the solver has reported them.
   MergedScene merged_scene(const Case &, const Run &);
 } // namespace verify

@@ -31,7 +31,7 @@ namespace verify
       return size;
     }
 
-    double curve_distance(const std::string &name, const Common &common)
+    double curve_distance(const std::string &name, const CommonSamples &common)
     {
       const auto weight = weights(common);
       double sum = 0., square = 0., most = 0., total = 0.;

@@ -25,7 +25,7 @@ namespace verify
     /// A run may take this many times its limit in wall time: the machine may be busy with others,
     /// or the run may hang.
     constexpr double patience = 5.;
-    /// Seconds between two looks at what a run has started, which opens some files.
+    /// Seconds between two measurements of what a run has started, which opens some files.
     constexpr double look_every = 0.2;
 
     volatile std::sig_atomic_t interrupt_flag = 0;
@@ -90,20 +90,20 @@ namespace verify
 
   double Process::cpu_s()
   {
-    if (wall_s() - family_seen > look_every)
+    if (wall_s() - tree_measured_at > look_every)
     {
-      family_seen = wall_s();
-      family_cpu_s = cpu_seconds_with_children(pid);
+      tree_measured_at = wall_s();
+      tree_cpu_s = cpu_seconds_with_children(pid);
     }
     clockid_t clock;
     timespec time{};
     double own = 0.;
     if (clock_getcpuclockid(pid, &clock) == 0 && clock_gettime(clock, &time) == 0)
       own = static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-    return std::max(own, family_cpu_s) / cores;
+    return std::max(own, tree_cpu_s) / cores;
   }
 
-  std::optional<Ended> Process::poll()
+  std::optional<ProcessResult> Process::poll()
   {
     int status = 0;
     rusage usage{};
@@ -116,17 +116,18 @@ namespace verify
       if (timed_out)
         kill(-pid, wall_s() > *timed_out + 5. ? SIGKILL : SIGTERM);
       if (const double seen = record::peak_rss_bytes(std::to_string(pid)); seen > 0.)
-        peak_seen = seen; // the last look counts: the first may see the copy of this program
+        peak_rss_bytes =
+            seen; // the last one counts: the first may include the copy of this program
       return {};
     }
-    Ended ended;
+    ProcessResult ended;
     ended.wall_s = wall_s();
     ended.cpu_s = seconds(usage.ru_utime) + seconds(usage.ru_stime);
     ended.peak_rss_bytes = 1024. * static_cast<double>(usage.ru_maxrss);
     // Linux starts to count at what this program held when it forked; a child that stays below
-    // that is known from the last look at it only.
-    if (ended.peak_rss_bytes <= record::peak_rss_bytes() && peak_seen > 0.)
-      ended.peak_rss_bytes = peak_seen;
+    // that is known from the last measurement only.
+    if (ended.peak_rss_bytes <= record::peak_rss_bytes() && peak_rss_bytes > 0.)
+      ended.peak_rss_bytes = peak_rss_bytes;
     ended.exit_code = lost ? -1 : WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
     ended.timed_out = timed_out.has_value();
     ended.interrupted = interrupted;

@@ -19,7 +19,7 @@ namespace verify
     int cores = 1;
   };
 
-  struct Ended
+  struct ProcessResult
   {
     int exit_code = 0; // 128 + signal if it was killed
     bool timed_out = false, interrupted = false;
@@ -34,21 +34,21 @@ namespace verify
     explicit Process(const Command &);
     /// Empty while it runs. Past its time limit it gets SIGTERM, five seconds later SIGKILL. Exit
     /// code -1: it has gone and nobody knows how.
-    std::optional<Ended> poll();
+    std::optional<ProcessResult> poll();
     void interrupt(); // SIGTERM to the group
     double wall_s() const;
 
-    /// Per core; of the child and, looked at a few times a second, of all that it started.
+    /// Per core; of the child and, measured a few times a second, of all that it started.
     double cpu_s();
 
   private:
     pid_t pid;
     double start, limit;
     int cores;
-    std::optional<double> timed_out; // when it was told to stop
+    std::optional<double> timed_out; // when it was asked to stop
     bool interrupted = false;
-    double family_cpu_s = 0., family_seen = 0.; // last look at them, and when it was
-    double peak_seen = 0.;                      // resident memory, bytes
+    double tree_cpu_s = 0., tree_measured_at = 0.; // last measurement of them, and when it was
+    double peak_rss_bytes = 0.;                    // resident memory, bytes
   };
 
   /// Turns SIGINT and SIGTERM into a flag.

@@ -16,7 +16,7 @@ namespace verify
   {
   }
 
-  void Progress::expect(const double wall_s)
+  void Progress::add_run(const double wall_s)
   {
     ++total;
     known_left += wall_s;

@@ -10,7 +10,7 @@ namespace verify
   public:
     explicit Progress(int cores);
     /// One more run to do; `wall_s` it took the last time, 0 if it is new.
-    void expect(double wall_s);
+    void add_run(double wall_s);
     void done(const std::string &name, const std::string &status, double wall_s);
     void show(std::size_t running);
 

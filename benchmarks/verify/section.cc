@@ -80,7 +80,7 @@ namespace verify
       const auto entry = by_suite.find(suite);
       return entry == by_suite.end() ? nullptr : &entry->second;
     }
-    void complain(const toml::value &where, const std::string &message, const std::string &remedy)
+    void add_error(const toml::value &where, const std::string &message, const std::string &remedy)
     {
       errors->push_back(toml::format_error(message, where, remedy));
     }
@@ -129,7 +129,7 @@ namespace verify
   std::string Section::required_text(const std::string &key)
   {
     if (!node->find(key))
-      complain("", fmt::format("the key `{}` is missing", key), "add " + key + " = \"...\"");
+      add_error("", fmt::format("the key `{}` is missing", key), "add " + key + " = \"...\"");
     return text(key);
   }
 
@@ -140,7 +140,7 @@ namespace verify
       return otherwise;
     if (value->is_string())
       return value->as_string().str;
-    node->complain(*value, fmt::format("`{}` must be a string", key), "");
+    node->add_error(*value, fmt::format("`{}` must be a string", key), "");
     return otherwise;
   }
 
@@ -160,7 +160,7 @@ namespace verify
         result.push_back(entry.as_string().str);
     }
     if (!good)
-      node->complain(*value, fmt::format("`{}` must be a list of strings", key), "");
+      node->add_error(*value, fmt::format("`{}` must be a list of strings", key), "");
     return result;
   }
 
@@ -173,7 +173,7 @@ namespace verify
       return static_cast<double>(value->as_integer());
     if (value->is_floating())
       return value->as_floating();
-    node->complain(*value, fmt::format("`{}` must be a number", key), "");
+    node->add_error(*value, fmt::format("`{}` must be a number", key), "");
     return {};
   }
 
@@ -181,7 +181,7 @@ namespace verify
   {
     const auto texts = expressions(key);
     if (texts.size() > 1)
-      complain(key, fmt::format("`{}` must be one number or expression", key));
+      add_error(key, fmt::format("`{}` must be one number or expression", key));
     return texts.empty() ? std::nullopt : std::optional<std::string>(texts.front());
   }
 
@@ -193,7 +193,7 @@ namespace verify
     if (value)
       flatten(*value, result, good);
     if (!good)
-      node->complain(*value, fmt::format("`{}` must hold numbers or expressions", key), "");
+      node->add_error(*value, fmt::format("`{}` must hold numbers or expressions", key), "");
     return result;
   }
 
@@ -205,7 +205,7 @@ namespace verify
       return result;
     if (!value->is_array())
     {
-      node->complain(*value, fmt::format("`{}` must be a list", key), "");
+      node->add_error(*value, fmt::format("`{}` must be a list", key), "");
       return result;
     }
     for (const auto &entry : value->as_array())
@@ -220,7 +220,7 @@ namespace verify
       return {};
     if (!value->is_table())
     {
-      node->complain(*value, fmt::format("`{}` must be a table", key), "");
+      node->add_error(*value, fmt::format("`{}` must be a table", key), "");
       return {};
     }
     return Section(std::make_shared<Node>(Node{*value, node->suite, node->errors, {}}));
@@ -241,7 +241,7 @@ namespace verify
             Section(std::make_shared<Node>(Node{entry, node->suite, node->errors, {}})));
     }
     if (!good)
-      node->complain(*value, fmt::format("write `{}` as [[{}]] sections", key, key), "");
+      node->add_error(*value, fmt::format("write `{}` as [[{}]] sections", key, key), "");
     return result;
   }
 
@@ -257,11 +257,11 @@ namespace verify
     return result;
   }
 
-  void Section::complain(const std::string &key, const std::string &message,
-                         const std::string &remedy)
+  void Section::add_error(const std::string &key, const std::string &message,
+                          const std::string &remedy)
   {
     const auto *value = key.empty() ? nullptr : node->find(key);
-    node->complain(value ? *value : node->value, message, remedy);
+    node->add_error(value ? *value : node->value, message, remedy);
   }
 
   void Section::refuse_unused()
@@ -270,8 +270,8 @@ namespace verify
       if (node->asked.count(key) == 0)
       {
         const std::string nearest = nearest_name(key, node->asked);
-        node->complain(value, fmt::format("the key `{}` is not known here", key),
-                       nearest.empty() ? "" : "did you mean `" + nearest + "`?");
+        node->add_error(value, fmt::format("the key `{}` is not known here", key),
+                        nearest.empty() ? "" : "did you mean `" + nearest + "`?");
       }
   }
 

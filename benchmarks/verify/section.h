@@ -49,8 +49,8 @@ namespace verify
     std::vector<std::string> keys() const;
 
     /// Notes an error at `key` (or at the section if it has none).
-    void complain(const std::string &key, const std::string &message,
-                  const std::string &remedy = "");
+    void add_error(const std::string &key, const std::string &message,
+                   const std::string &remedy = "");
     /// Notes every key that was never asked for, with the nearest known one.
     void refuse_unused();
     /// Throws BadInput with all errors noted so far in the whole file, if any.

@@ -3,11 +3,11 @@
 
 #include <fmt/format.h>
 
+#include "campaign_files.h"
 #include "commands.h"
 #include "record/provenance.h"
 #include "section.h"
 #include "stability_edges.h"
-#include "written.h"
 
 namespace verify
 {
@@ -100,12 +100,12 @@ namespace verify
     }
   } // namespace
 
-  int stability(const Places &places, const CampaignOptions &options)
+  int stability(const Paths &paths, const CampaignOptions &options)
   {
     int cells = 0, bad_maps = 0;
-    for (const auto &name : options.cases.empty() ? case_names(places) : options.cases)
+    for (const auto &name : options.cases.empty() ? case_names(paths) : options.cases)
     {
-      const std::string folder = case_folder(places, name);
+      const std::string folder = case_folder(paths, name);
       if (!fs::exists(folder + "/stability.toml"))
       {
         if (!options.cases.empty())
@@ -115,10 +115,10 @@ namespace verify
       const Stability declared = read_stability(folder, options.suite);
       if (declared.maps.empty())
         continue;
-      const Mapper mapper{declared, places, options, options.output + "/stability/runs"};
+      const Mapper mapper{declared, paths, options, options.output + "/stability/runs"};
       Json result{{"format", "mpm_pf stability 1"}, {"case", name}, {"suite", options.suite}};
-      for (const auto &[key, value] :
-           record::collect("verify", shell({places.program, "stability", name}), options.cores))
+      for (const auto &[key, value] : record::collect_provenance(
+               "verify", shell({paths.program, "stability", name}), options.cores))
         result["provenance"][key] = value;
       result["maps"] = Json::array();
       for (std::size_t k = 0; k < declared.maps.size(); ++k)
@@ -135,7 +135,7 @@ namespace verify
     }
     fmt::print("\n{} cells in {}/stability\n", cells, options.output);
     if (cells > 0)
-      report(places, options.output);
+      report(paths, options.output);
     return cells == 0 ? 4 : bad_maps > 0 ? 1 : 0;
   }
 } // namespace verify

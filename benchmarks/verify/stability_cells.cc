@@ -66,7 +66,7 @@ namespace verify
     run.time_limit_s = map.time_limit_s;
     run.name = fmt::format("map{}_{}", number, hash_of(x + "|" + y));
     result.name = run.name;
-    result.job = job_of(run, stability.c, places, runs);
+    result.job = job_of(run, stability.c, paths, runs);
     result.job.any_exit = true;
     return result;
   }
@@ -87,7 +87,7 @@ namespace verify
   void Mapper::classify(Cell &cell) const
   {
     const auto &outcome = cell.outcome;
-    cell.why = outcome.last_words.substr(0, 600);
+    cell.why = outcome.log_tail.substr(0, 600);
     if (outcome.status == "bad input")
       cell.kind = "refused";
     else if (outcome.status == "timed out")

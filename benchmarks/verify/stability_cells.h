@@ -35,7 +35,7 @@ namespace verify
   struct Mapper
   {
     const Stability &stability;
-    const Places &places;
+    const Paths &paths;
     const CampaignOptions &options;
     std::string runs; // folder of the runs of all maps
 

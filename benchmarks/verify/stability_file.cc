@@ -31,11 +31,11 @@ namespace verify
       if (!name.empty())
         axis.set.push_back(name + "={value}");
       if (axis.set.empty())
-        section->complain("", "an axis needs `key`, or `set` with {value} in it");
+        section->add_error("", "an axis needs `key`, or `set` with {value} in it");
       axis.label = section->text("label", name);
       axis.values = section->literals("values");
       if (axis.values.empty())
-        section->complain("", "an axis needs `values`");
+        section->add_error("", "an axis needs `values`");
       for (auto &value : axis.values)
         if (without_quotes(value) == absent_value)
           value = absent_value;
@@ -56,14 +56,14 @@ namespace verify
       if (auto take = section.section("take"))
         check.take = read_take(*take, nullptr);
       else
-        section.complain("", "no `take`");
+        section.add_error("", "no `take`");
       check.take.run = "cell";
       for (auto &inner : check.take.with)
         inner.run = "cell";
       check.against = read_against(section, check);
       const auto limits = section.expressions("limit");
       if (limits.empty() || limits.size() > 2)
-        section.complain("", "`limit` is one number, or [low, high]");
+        section.add_error("", "`limit` is one number, or [low, high]");
       else
       {
         check.low = limits.size() == 2 ? value_of(section, "limit", limits[0], c.constants) : 0.;
@@ -105,10 +105,10 @@ namespace verify
       if (edge.empty())
         return;
       if (edge.size() != 2 || map.theory.empty())
-        section.complain("edge",
-                         "`edge` is [low, high], what the edge of stability over `theory` "
-                         "must lie between",
-                         "give both numbers, and `theory`");
+        section.add_error("edge",
+                          "`edge` is [low, high], what the edge of stability over `theory` "
+                          "must lie between",
+                          "give both numbers, and `theory`");
       else
         map.edge = std::array<double, 2>{value_of(section, "edge", edge[0], {}),
                                          value_of(section, "edge", edge[1], {})};
@@ -121,12 +121,12 @@ namespace verify
       map.solver = section.text("solver", "mpm_pf");
       map.scene = section.text("scene", c.scene);
       if (!fs::exists(fs::path(c.folder) / map.scene))
-        section.complain("scene", fmt::format("there is no {} in the case folder", map.scene));
+        section.add_error("scene", fmt::format("there is no {} in the case folder", map.scene));
       map.set = section.texts("set");
       map.x = read_axis(section, "x");
       map.y = read_axis(section, "y");
       if (map.x.values.empty())
-        section.complain("", "a map needs its axis `x`");
+        section.add_error("", "a map needs its axis `x`");
       map.bisections = static_cast<int>(section.number("bisections").value_or(0));
       read_theory(section, map);
       map.time_limit_s = section.number("time_limit_s").value_or(60.);

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "places.h"
+#include "paths.h"
 #include "scene/reader.h"
 #include "section.h"
 

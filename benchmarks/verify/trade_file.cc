@@ -23,13 +23,13 @@ namespace verify
       Run run;
       run.solver = section.text("solver", "mpm_pf");
       if (run.solver != "mpm_pf" && run.solver != "fe_reference")
-        section.complain("solver", "the solver is \"mpm_pf\" or \"fe_reference\"");
+        section.add_error("solver", "the solver is \"mpm_pf\" or \"fe_reference\"");
       run.scene = section.text("scene", c.scene);
       run.set = section.texts("set");
       run.time_limit_s = section.number("time_limit_s").value_or(time_limit_s);
       run.threads = static_cast<int>(section.number("threads").value_or(1));
       if (!fs::exists(fs::path(c.folder) / run.scene))
-        section.complain("scene", fmt::format("there is no {} in the case folder", run.scene));
+        section.add_error("scene", fmt::format("there is no {} in the case folder", run.scene));
       return run;
     }
 
@@ -41,7 +41,7 @@ namespace verify
         Run run = base_run(section, trade.c, 5. * time_limit_s);
         run.h = section.number("h");
         if (!run.h)
-          section.complain("", "a reference needs its mesh size `h`");
+          section.add_error("", "a reference needs its mesh size `h`");
         run.name = fmt::format("reference_{}", trade.c.runs.size() + 1);
         section.refuse_unused();
         trade.c.runs.push_back(run);
@@ -62,11 +62,11 @@ namespace verify
       check.high = infinite;
       const auto norms = section.texts("norms");
       if (norms.empty())
-        section.complain("", "a quantity needs `norms`: the errors that are measured");
+        section.add_error("", "a quantity needs `norms`: the errors that are measured");
       if (auto take = section.section("take"))
         check.take = read_take(*take, nullptr);
       else
-        section.complain("", "the quantity has no `take`");
+        section.add_error("", "the quantity has no `take`");
       check.norm = norms.empty() ? "relative" : norms.front();
       if (section.has("against"))
       {
@@ -76,7 +76,7 @@ namespace verify
           check.uncertain_against = trade.references;
       }
       else if (trade.references.empty())
-        section.complain("", "the quantity has no `against`, and the file no [[reference]]");
+        section.add_error("", "the quantity has no `against`, and the file no [[reference]]");
       else
       {
         check.against.kind = Against::Kind::run;
@@ -169,7 +169,7 @@ namespace verify
     for (auto &section : file.sections("family"))
       read_family(section, trade, ++number, time_limit_s);
     if (trade.measures.empty() || trade.rows.empty())
-      file.complain("", "a trade needs at least one [[quantity]] and one [[family]]");
+      file.add_error("", "a trade needs at least one [[quantity]] and one [[family]]");
     file.refuse_unused();
     file.throw_errors();
     trade.reference_text = reference_text(trade);

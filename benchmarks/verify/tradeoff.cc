@@ -5,11 +5,11 @@
 
 #include <fmt/format.h>
 
+#include "campaign_files.h"
 #include "commands.h"
 #include "record/provenance.h"
 #include "section.h"
 #include "trade_default.h"
-#include "written.h"
 
 namespace verify
 {
@@ -173,7 +173,7 @@ namespace verify
         Json row = row_to_json(trade.rows[r], jobs[i], outcomes[i], costs[i]);
         row["why"] = Json::array();
         if (outcomes[i].status == bad_input)
-          row["why"].push_back(outcomes[i].last_words);
+          row["why"].push_back(outcomes[i].log_tail);
         row["errors"] = errors_of(trade, trade.rows[r], records, result["reference"]["uncertainty"],
                                   row["why"]);
         result["rows"].push_back(row);
@@ -220,13 +220,13 @@ namespace verify
     }
   } // namespace
 
-  int tradeoff(const Places &places, const std::string &name, const CampaignOptions &options)
+  int tradeoff(const Paths &paths, const std::string &name, const CampaignOptions &options)
   {
-    const std::string folder = case_folder(places, name);
+    const std::string folder = case_folder(paths, name);
     const Trade trade =
         fs::exists(folder + "/tradeoff.toml") ? read_trade(folder) : default_trade(folder);
     const std::string runs = options.output + "/tradeoff/runs";
-    auto jobs = jobs_of(trade.c, places, runs);
+    auto jobs = jobs_of(trade.c, paths, runs);
     for (auto &job : jobs)
       job.any_exit = true;
     const JobOptions how{options.cores, options.fresh};
@@ -235,8 +235,8 @@ namespace verify
     if (interrupted())
       return 130;
     Json result{{"format", "mpm_pf tradeoff 1"}, {"case", name}, {"suite", trade.c.suite}};
-    for (const auto &[key, value] :
-         record::collect("verify", shell({places.program, "tradeoff", name}), options.cores))
+    for (const auto &[key, value] : record::collect_provenance(
+             "verify", shell({paths.program, "tradeoff", name}), options.cores))
       result["provenance"][key] = value;
     result.update(measure_rows(trade, jobs, outcomes, costs,
                                runs + "/" + name + "/" + scene_stem(trade.c.suite)));
@@ -244,7 +244,7 @@ namespace verify
     write_text(file, json_text(result));
     print_rows(result);
     fmt::print("{} rows in {}\n", trade.rows.size(), file);
-    report(places, options.output);
+    report(paths, options.output);
     for (std::size_t i = 0; i < trade.references.size(); ++i)
       if (!outcomes[i].good())
         return 4;

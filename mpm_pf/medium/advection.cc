@@ -5,7 +5,7 @@
 
 #include "medium/cip.h"
 #include "medium/eulerian.h"
-#include "medium/trouble.h"
+#include "medium/numerical_error.h"
 
 namespace medium
 {
@@ -135,7 +135,7 @@ namespace medium
     text << "advection over " << dt << " shifts the field by " << shift
          << " cells along an axis; the scheme is stable up to " << largest_shift(chosen)
          << ": shorten the step (advection.step_fraction or clock.step)";
-    throw NumericalTrouble(text.str());
+    throw NumericalError(text.str());
   }
 
   void Advection::advect_cip(Field<double> &f, Gradients &gradients, const Velocity &velocity,

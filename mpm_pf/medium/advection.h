@@ -35,7 +35,7 @@ namespace medium
 
     /// Carries `f` with `v` over dt (time). Ghosts of `v` must be filled; those of `f` are filled
     /// here, before and after. Empty gradients are started from centred differences of f, or by
-    /// start(). Throws NumericalTrouble if |v| dt exceeds a cell along an axis.
+    /// start(). Throws NumericalError if |v| dt exceeds a cell along an axis.
     void advect(Field<double> &f, Gradients &, const Velocity &v, double dt);
 
     /// Starts the gradients from the given ones (analytic, say); all fields on this mesh. Schemes

@@ -27,8 +27,8 @@ namespace medium
   }
 
   template <typename F>
-  void AreaMap::look(const Field<double> &phi, const Mesh &mesh,
-                     const std::optional<scene::Box> &active, F &&changed)
+  void AreaMap::update(const Field<double> &phi, const Mesh &mesh,
+                       const std::optional<scene::Box> &active, F &&changed)
   {
     const CellAreas areas(phi, mesh, active);
     range = {areas.first_cell(0), areas.end_cell(0), areas.first_cell(1), areas.end_cell(1)};
@@ -57,17 +57,17 @@ namespace medium
   void AreaMap::measure(const Field<double> &phi, const Mesh &mesh,
                         const std::optional<scene::Box> &active)
   {
-    look(phi, mesh, active, [](long, double) {});
+    update(phi, mesh, active, [](long, double) {});
   }
 
   CellValues AreaMap::change(const Field<double> &phi, const Mesh &mesh,
                              const std::optional<scene::Box> &active)
   {
     CellValues changes;
-    look(phi, mesh, active,
-         [&](const long cell, const double value) {
-           changes.push_back({cell, value});
-         });
+    update(phi, mesh, active,
+           [&](const long cell, const double value) {
+             changes.push_back({cell, value});
+           });
     return changes;
   }
 

@@ -1,8 +1,8 @@
 // The solid area of every cell at one moment, and what growth has changed since.
 //
 // Measured just before and just after growth, the difference is what Eq. (1)'s right side grew or
-// melted, and nothing that advection moved or lost. The cost of a look is reading phi once (signs
-// of whole chunks of a row); areas are computed only where the contour runs.
+// melted, and nothing that advection moved or lost. The cost of an update is reading phi once
+// (signs of whole chunks of a row); areas are computed only where the contour runs.
 #pragma once
 
 #include <cstdint>
@@ -28,13 +28,13 @@ namespace medium
 
     /// The areas now. `active`: the rectangle between moving walls.
     void measure(const Field<double> &phi, const Mesh &, const std::optional<scene::Box> &active);
-    /// The same, and what has changed since the last look, length^2. Cells behind a wall are left
+    /// The same, and what has changed since the last update, length^2. Cells behind a wall are left
     /// out.
     CellValues change(const Field<double> &phi, const Mesh &,
                       const std::optional<scene::Box> &active);
 
     double at(int i, int j) const { return area[static_cast<std::size_t>(j) * cells[0] + i]; }
-    /// Sum of the areas of the cells between the walls of the last look, length^2.
+    /// Sum of the areas of the cells between the walls of the last update, length^2.
     double total() const;
     std::size_t bytes() const { return area.size() * sizeof(double) + state.size(); }
 
@@ -46,7 +46,8 @@ namespace medium
       mixed
     };
     template <typename F>
-    void look(const Field<double> &, const Mesh &, const std::optional<scene::Box> &, F &&changed);
+    void update(const Field<double> &, const Mesh &, const std::optional<scene::Box> &,
+                F &&changed);
     template <typename F>
     void set(const CellAreas &, int i, int j, F &&changed);
 
@@ -54,7 +55,7 @@ namespace medium
     int chunks;                           // of a row
     std::vector<double> area;             // of each cell
     std::vector<std::uint8_t> state;      // of each chunk
-    std::array<int, 4> range{0, 0, 0, 0}; // first and end cell of both axes at the last look
+    std::array<int, 4> range{0, 0, 0, 0}; // first and end cell of both axes at the last update
   };
 
   /// Solid area between the walls, length^2.

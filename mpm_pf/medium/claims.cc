@@ -17,7 +17,8 @@ namespace medium
       {
         int *owner = claims.owner.data() + start + i;
         float *square = claims.square.data() + start + i, *above = claims.above.data() + start + i,
-              *aside = claims.aside.data() + start + i, *bend = claims.bend.data() + start + i;
+              *aside = claims.aside.data() + start + i,
+              *curvature = claims.curvature.data() + start + i;
         const float first = static_cast<float>(i - strip.x);
 #pragma omp simd
         for (int n = 0; n < Claims::line; ++n)
@@ -28,7 +29,7 @@ namespace medium
           owner[n] = nearer ? index : owner[n];
           above[n] = nearer ? dx * nx + dy * ny : above[n];
           aside[n] = nearer ? dy * nx - dx * ny : aside[n];
-          bend[n] = nearer ? strip.bend : bend[n];
+          curvature[n] = nearer ? strip.curvature : curvature[n];
         }
       }
     }
@@ -49,12 +50,12 @@ namespace medium
     strips.reserve(distance.pieces.size());
     for (const ContourPiece &piece : distance.pieces)
     {
-      const double bend = piece.curvature * h,
-                   width = 0.9 * gap * (1. + 1.25 * std::abs(bend) * band);
+      const double curvature = piece.curvature * h,
+                   width = 0.9 * gap * (1. + 1.25 * std::abs(curvature) * band);
       strips.push_back({(piece.x - mesh.lower[0]) / h, (piece.y - mesh.lower[1]) / h,
                         static_cast<float>(piece.normal_x), static_cast<float>(piece.normal_y),
-                        static_cast<float>(bend), inverse(piece.normal_x), inverse(piece.normal_y),
-                        static_cast<float>(std::min(width, band))});
+                        static_cast<float>(curvature), inverse(piece.normal_x),
+                        inverse(piece.normal_y), static_cast<float>(std::min(width, band))});
     }
     return strips;
   }
@@ -64,7 +65,7 @@ namespace medium
   {
     const auto nodes = static_cast<std::size_t>(pitch) * Tiles::height;
     owner.resize(nodes);
-    for (std::vector<float> *numbers : {&square, &above, &aside, &bend, &size, &offset})
+    for (std::vector<float> *numbers : {&square, &above, &aside, &curvature, &size, &offset})
       numbers->resize(nodes);
   }
 

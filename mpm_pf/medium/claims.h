@@ -25,9 +25,9 @@ namespace medium
   {
     double x, y;              // node number and height over row 0
     float normal_x, normal_y; // unit, into the solid
-    float bend;               // curvature
-    float per_x, per_y;       // 1/normal_x, 1/normal_y; large where those vanish
-    float width;              // half-width along the contour
+    float curvature;
+    float per_x, per_y; // 1/normal_x, 1/normal_y; large where those vanish
+    float width;        // half-width along the contour
   };
 
   /// The strips of all pieces.
@@ -41,13 +41,13 @@ namespace medium
     static constexpr int line = 8; // nodes claimed side by side; a tile is four of them wide
 
     int pitch;
-    std::vector<int> owner;    // piece, -1: none
-    std::vector<float> square; // squared distance to it
-    std::vector<float> above;  // component along its normal, into the solid
-    std::vector<float> aside;  // component along (-normal_y, normal_x)
-    std::vector<float> bend;   // its curvature
-    std::vector<float> size;   // what comes of it: the distance, unsigned
-    std::vector<float> offset; // and the place on the contour, from the piece
+    std::vector<int> owner;       // piece, -1: none
+    std::vector<float> square;    // squared distance to it
+    std::vector<float> above;     // component along its normal, into the solid
+    std::vector<float> aside;     // component along (-normal_y, normal_x)
+    std::vector<float> curvature; // its curvature
+    std::vector<float> size;      // what comes of it: the distance, unsigned
+    std::vector<float> offset;    // and the place on the contour, from the piece
   };
 
   enum class Reach

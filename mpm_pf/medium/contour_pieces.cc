@@ -35,13 +35,13 @@ namespace medium
       }
       double value(int l, double s) const { return c0[l] + s * (c1[l] + s * (c2[l] + s * c3[l])); }
       double slope(int l, double s) const { return c1[l] + s * (2. * c2[l] + s * 3. * c3[l]); }
-      double bend(int l, double s) const { return 2. * c2[l] + 6. * c3[l] * s; }
+      double second_derivative(int l, double s) const { return 2. * c2[l] + 6. * c3[l] * s; }
     };
 
     struct Batch
     {
-      alignas(64) double node[4][5][lanes]; // straightened profile: along the line, across it
-      Cubics value, slope, bend;            // of the profile; of its derivatives across the line
+      alignas(64) double node[4][5][lanes];   // straightened profile: along the line, across it
+      Cubics value, slope, second_derivative; // of the profile; of its derivatives across the line
       alignas(64) double along[lanes], across[lanes]; // spacings
       alignas(64) double place[lanes];                // of the crossing between the two nodes
       alignas(64) double normal_along[lanes], normal_across[lanes], curvature[lanes];
@@ -75,17 +75,19 @@ namespace medium
 #pragma omp simd
       for (int l = 0; l < lanes; ++l)
       {
-        double slope[4], bend[4];
+        double slope[4], second_derivative[4];
         for (int k = 0; k < 4; ++k)
         {
           const auto &f = batch.node[k];
           slope[k] = (f[0][l] - 8. * f[1][l] + 8. * f[3][l] - f[4][l]) / 12.;
-          bend[k] = (-f[0][l] + 16. * f[1][l] - 30. * f[2][l] + 16. * f[3][l] - f[4][l]) / 12.;
+          second_derivative[k] =
+              (-f[0][l] + 16. * f[1][l] - 30. * f[2][l] + 16. * f[3][l] - f[4][l]) / 12.;
         }
         batch.value.set(l, batch.node[0][2][l], batch.node[1][2][l], batch.node[2][2][l],
                         batch.node[3][2][l]);
         batch.slope.set(l, slope[0], slope[1], slope[2], slope[3]);
-        batch.bend.set(l, bend[0], bend[1], bend[2], bend[3]);
+        batch.second_derivative.set(l, second_derivative[0], second_derivative[1],
+                                    second_derivative[2], second_derivative[3]);
       }
     }
 
@@ -126,9 +128,9 @@ namespace medium
       {
         const double s = batch.place[l], along = batch.along[l], across = batch.across[l];
         const double fa = batch.value.slope(l, s) / along, fc = batch.slope.value(l, s) / across;
-        const double faa = batch.value.bend(l, s) / (along * along),
+        const double faa = batch.value.second_derivative(l, s) / (along * along),
                      fac = batch.slope.slope(l, s) / (along * across),
-                     fcc = batch.bend.value(l, s) / (across * across);
+                     fcc = batch.second_derivative.value(l, s) / (across * across);
         const double size = std::sqrt(fa * fa + fc * fc);
         // Where the cubic is level at its root the chord still knows the way into the solid.
         const double chord = batch.node[2][2][l] - batch.node[1][2][l];
@@ -137,9 +139,11 @@ namespace medium
         batch.normal_along[l] = level ? (chord > 0. ? 1. : -1.) : fa * inverse;
         batch.normal_across[l] = level ? 0. : fc * inverse;
         const double limit = 1. / (along > across ? along : across);
-        const double bend =
+        const double second_derivative =
             -(faa * fc * fc - 2. * fac * fa * fc + fcc * fa * fa) * inverse * inverse * inverse;
-        const double kept = bend > limit ? limit : bend < -limit ? -limit : bend;
+        const double kept = second_derivative > limit    ? limit
+                            : second_derivative < -limit ? -limit
+                                                         : second_derivative;
         batch.curvature[l] = level ? 0. : kept;
       }
     }

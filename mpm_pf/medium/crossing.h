@@ -40,7 +40,7 @@ namespace medium
     }
     double value(double s) const { return c0 + s * (c1 + s * (c2 + s * c3)); }
     double slope(double s) const { return c1 + s * (2. * c2 + s * 3. * c3); }
-    double bend(double s) const { return 2. * c2 + 6. * c3 * s; }
+    double second_derivative(double s) const { return 2. * c2 + 6. * c3 * s; }
     double c0, c1, c2, c3;
   };
 

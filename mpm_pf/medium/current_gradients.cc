@@ -21,7 +21,7 @@ namespace medium
   {
   }
 
-  void CurrentGradients::take(int j)
+  void CurrentGradients::compute_row(int j)
   {
     newest = (newest + 1) % 3;
     const RowsOf now(*fields.f, j), before(*fields.last, j);

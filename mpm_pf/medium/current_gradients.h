@@ -22,9 +22,9 @@ namespace medium
     CurrentGradients(const CipFields &, const Mesh &);
 
     /// Makes row j (-1 ... rows), from node -1 to the node beyond the last. Rows in their order.
-    void take(int j);
+    void compute_row(int j);
 
-    /// The last three rows taken; xy only with the mixed derivative.
+    /// The last three rows computed; xy only with the mixed derivative.
     const double *x(int age) const { return row(0, age); }
     const double *y(int age) const { return row(1, age); }
     const double *xy(int age) const { return row(2, age); }
@@ -59,11 +59,11 @@ namespace medium
     {
       const int first = block * rows_per_block, end = std::min(first + rows_per_block, rows);
       CurrentGradients gradients(fields, mesh);
-      gradients.take(first - 1);
-      gradients.take(first);
+      gradients.compute_row(first - 1);
+      gradients.compute_row(first);
       for (int j = first; j < end; ++j)
       {
-        gradients.take(j + 1);
+        gradients.compute_row(j + 1);
         largest = std::max(largest, do_row(gradients, j));
       }
     }

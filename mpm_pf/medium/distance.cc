@@ -50,17 +50,17 @@ namespace medium
     void measure_line(Claims &claims, std::ptrdiff_t start, float reach, float longest)
     {
       const float *square = claims.square.data() + start, *above = claims.above.data() + start,
-                  *aside = claims.aside.data() + start, *bends = claims.bend.data() + start;
+                  *aside = claims.aside.data() + start, *bends = claims.curvature.data() + start;
       const int *owner = claims.owner.data() + start;
       float *size = claims.size.data() + start, *offset = claims.offset.data() + start;
       int misfits = 0;
 #pragma omp simd reduction(+ : misfits)
       for (int n = 0; n < Tiles::width; ++n)
       {
-        const float m = above[n], s = aside[n], bend = bends[n];
-        const float under = 1.f - 2.f * bend * m + bend * bend * square[n];
+        const float m = above[n], s = aside[n], curvature = bends[n];
+        const float under = 1.f - 2.f * curvature * m + curvature * curvature * square[n];
         const float root = std::sqrt(under > 0.0025f ? under : 0.0025f), along = s / root;
-        const float arc = std::abs(2.f * m - bend * square[n]) / (1.f + root);
+        const float arc = std::abs(2.f * m - curvature * square[n]) / (1.f + root);
         const bool owned = owner[n] >= 0;
         misfits += owned & ((under <= 0.0025f) | (std::abs(along) > longest)) ? 1 : 0;
         size[n] = owned & (arc < reach) ? arc : reach;
@@ -68,8 +68,8 @@ namespace medium
       }
       for (int n = 0; misfits > 0 && n < Tiles::width; ++n)
       {
-        const float m = above[n], s = aside[n], bend = bends[n];
-        const float under = 1.f - 2.f * bend * m + bend * bend * square[n];
+        const float m = above[n], s = aside[n], curvature = bends[n];
+        const float under = 1.f - 2.f * curvature * m + curvature * curvature * square[n];
         if (owner[n] < 0 || (under > 0.0025f && std::abs(offset[n]) <= longest))
           continue;
         offset[n] = std::clamp(s, -0.5f * longest, 0.5f * longest);
@@ -243,28 +243,28 @@ namespace medium
   }
 
   template <class T>
-  void measure(Distance &distance, const Field<T> &phi, const Mesh &mesh)
+  void compute_distance(Distance &distance, const Field<T> &phi, const Mesh &mesh)
   {
     measure_in(distance, phi, mesh, Tiles(mesh));
   }
 
   template <class T>
-  void follow(Distance &distance, const Field<T> &phi, const Mesh &mesh)
+  void update_distance(Distance &distance, const Field<T> &phi, const Mesh &mesh)
   {
     const Tiles where = distance.close;
     measure_in(distance, phi, mesh, where);
   }
 
-  template void measure(Distance &, const Field<double> &, const Mesh &);
-  template void measure(Distance &, const Field<float> &, const Mesh &);
-  template void follow(Distance &, const Field<double> &, const Mesh &);
-  template void follow(Distance &, const Field<float> &, const Mesh &);
+  template void compute_distance(Distance &, const Field<double> &, const Mesh &);
+  template void compute_distance(Distance &, const Field<float> &, const Mesh &);
+  template void update_distance(Distance &, const Field<double> &, const Mesh &);
+  template void update_distance(Distance &, const Field<float> &, const Mesh &);
 
   Point closest_point(const Distance &distance, int i, int j)
   {
     const ContourPiece &piece = distance.pieces[static_cast<std::size_t>(distance.piece(i, j))];
-    const double s = distance.offset(i, j), bend = 0.5 * piece.curvature * s * s;
-    return {piece.x - s * piece.normal_y + bend * piece.normal_x,
-            piece.y + s * piece.normal_x + bend * piece.normal_y};
+    const double s = distance.offset(i, j), curvature = 0.5 * piece.curvature * s * s;
+    return {piece.x - s * piece.normal_y + curvature * piece.normal_x,
+            piece.y + s * piece.normal_x + curvature * piece.normal_y};
   }
 } // namespace medium

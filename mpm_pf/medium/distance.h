@@ -59,13 +59,14 @@ namespace medium
   /// looked for, and fields are written only in tiles that the band covers or has left since the
   /// last call.
   template <class T>
-  void measure(Distance &, const Field<T> &phi, const Mesh &);
+  void compute_distance(Distance &, const Field<T> &phi, const Mesh &);
 
   /// The same where the contour has moved by less than `follow_cells` since the last measurement
   /// and has no new parts elsewhere: sign changes are looked for in the tiles it was close to.
-  /// Result and order are those of measure(), at a cost that knows nothing of the rest of the mesh.
+  /// Result and order are those of compute_distance(), at a cost that knows nothing of the rest of
+  /// the mesh.
   template <class T>
-  void follow(Distance &, const Field<T> &phi, const Mesh &);
+  void update_distance(Distance &, const Field<T> &phi, const Mesh &);
 
   /// The point of the contour closest to node (i, j), which must lie in the band.
   Point closest_point(const Distance &, int i, int j);

@@ -93,20 +93,20 @@ namespace medium
         }
     }
 
-    void draw_map(Extension &extension, const Mesh &mesh)
+    void build_map(Extension &extension, const Mesh &mesh)
     {
       find_nearest_piece(extension.nearest_piece, extension.distance, mesh);
-      extension.drawn.clear();
+      extension.mapped_pieces.clear();
       for (const ContourPiece &piece : extension.distance.pieces)
-        extension.drawn.emplace_back(piece.x, piece.y);
+        extension.mapped_pieces.emplace_back(piece.x, piece.y);
     }
 
     /// Today's number of the piece that is nearest to where each piece of the map was.
     std::vector<int> renumber(const Extension &extension, const Mesh &mesh)
     {
       std::vector<int> now;
-      now.reserve(extension.drawn.size());
-      for (const Point &place : extension.drawn)
+      now.reserve(extension.mapped_pieces.size());
+      for (const Point &place : extension.mapped_pieces)
       {
         const Point node = (place - mesh.lower).cwiseQuotient(mesh.spacing);
         const int i = std::clamp(static_cast<int>(std::lround(node[0])), 0, mesh.nodes[0] - 1),
@@ -151,20 +151,20 @@ namespace medium
                           const Mesh &mesh)
   {
     Distance &distance = extension.distance;
-    const bool afresh = extension.calls++ % extension.far_every == 0;
-    afresh ? measure(distance, phi, mesh) : follow(distance, phi, mesh);
+    const bool rebuild = extension.calls++ % extension.map_interval == 0;
+    rebuild ? compute_distance(distance, phi, mesh) : update_distance(distance, phi, mesh);
     if (extension.method == scene::ExtensionMethod::pde)
       reinitialise(distance, phi, extension.front_width, mesh);
-    if (afresh)
-      draw_map(extension, mesh);
+    if (rebuild)
+      build_map(extension, mesh);
     extension.at_pieces =
         write(extension, fields, {material, extension.depth, Approach::linear}, mesh);
   }
 
-  void extend_remembered(Extension &extension, const std::vector<Field<double> *> &fields,
-                         const Mesh &mesh)
+  void extend_inherited(Extension &extension, const std::vector<Field<double> *> &fields,
+                        const Mesh &mesh)
   {
-    if (extension.distance.pieces.empty() || extension.drawn.empty())
+    if (extension.distance.pieces.empty() || extension.mapped_pieces.empty())
       throw std::logic_error("extend_remembered was called before extend_into_liquid");
     write(extension, fields, {Field<unsigned char>{}, 0., Approach::level}, mesh);
   }
@@ -177,7 +177,7 @@ namespace medium
     for (int j = 0; j < mesh.nodes[1]; ++j)
       state.insert(state.end(), extension.nearest_piece.row(j),
                    extension.nearest_piece.row(j) + mesh.nodes[0]);
-    for (const Point &place : extension.drawn)
+    for (const Point &place : extension.mapped_pieces)
       state.insert(state.end(), {place[0], place[1]});
     return state;
   }
@@ -185,7 +185,7 @@ namespace medium
   void unpack(Extension &extension, const Mesh &mesh, const std::vector<double> &state)
   {
     extension.calls = static_cast<long>(state.at(0));
-    extension.drawn.clear();
+    extension.mapped_pieces.clear();
     if (extension.calls == 0)
       return;
     const std::size_t places = 1 + static_cast<std::size_t>(mesh.nodes[0]) * mesh.nodes[1];
@@ -196,7 +196,7 @@ namespace medium
       for (int i = 0; i < mesh.nodes[0]; ++i)
         extension.nearest_piece(i, j) = static_cast<int>(*next++);
     for (; next != state.end(); next += 2)
-      extension.drawn.emplace_back(next[0], next[1]);
+      extension.mapped_pieces.emplace_back(next[0], next[1]);
   }
 
   template void extend_into_liquid(Extension &, const std::vector<Field<double> *> &,

@@ -9,7 +9,7 @@
 // takes the value at its closest point, piece value + tangential slope x offset: exact for uniform
 // fields, second order for smooth ones. A node inside the contour without enough material is filled
 // with the whole line. Beyond the band a node takes the value of the (nearly) nearest piece, whose
-// map is drawn afresh only now and then. Across the medial axis between two arms the extension
+// map is rebuilt only now and then. Across the medial axis between two arms the extension
 // jumps; that is inherent.
 //
 // The paper's way, q_tau + n . grad q = 0 marched to rest in the band (Ref. [13]), is the choice
@@ -29,14 +29,14 @@ namespace medium
 
     scene::ExtensionMethod method;
     double front_width;
-    double depth;       // length below the contour from which a node counts as solid: half a cell
-    int far_every = 20; // calls from one look at the whole mesh (map beyond the band, new grains
-                        // of the contour) to the next; in between the contour is followed
-    long calls = 0;     // since the map was to be drawn afresh
+    double depth; // length below the contour from which a node counts as solid: half a cell
+    int map_interval = 20; // calls from one update of the whole mesh (map beyond the band, new
+                           // grains of the contour) to the next; in between the contour is followed
+    long calls = 0; // since the map was to be rebuilt
     Distance distance;
-    Field<int> nearest_piece;      // at every node: the map, numbered as when it was drawn
-    std::vector<Point> drawn;      // places of the pieces then
-    std::vector<double> far_value; // scratch: values by those numbers
+    Field<int> nearest_piece;         // at every node: the map, numbered as when it was built
+    std::vector<Point> mapped_pieces; // places of the pieces then
+    std::vector<double> far_value;    // scratch: values by those numbers
     /// What the solid knows at the contour of the fields extended last, by field and piece.
     std::vector<std::vector<PieceValue>> at_pieces;
   };
@@ -55,7 +55,7 @@ namespace medium
   /// with phi > 0 keeps its own, the liquid takes the value at the front, reached without slope
   /// along the normal (Approach::level in piece_values.h). Distance and map are those of the last
   /// extend_into_liquid. Throws std::logic_error if there was none.
-  void extend_remembered(Extension &, const std::vector<Field<double> *> &fields, const Mesh &);
+  void extend_inherited(Extension &, const std::vector<Field<double> *> &fields, const Mesh &);
 
   /// Memory that grows with the mesh.
   inline std::size_t bytes(const Extension &extension)

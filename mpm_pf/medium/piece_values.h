@@ -15,7 +15,7 @@ namespace medium
   };
 
   /// How a quantity runs up to the contour from inside. linear: as the fitted line says; for what
-  /// is known afresh at every step, the velocity. level: without slope along the normal; for what
+  /// is known anew at every step, the velocity. level: without slope along the normal; for what
   /// the solid remembers, the crystal angle: new solid inherits the value at the front, and a line
   /// carried on from step to step would let a slope grow outward for ever.
   enum class Approach

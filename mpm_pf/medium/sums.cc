@@ -97,7 +97,7 @@ namespace medium
                        });
   }
 
-  Spread spread_of(const Field<double> &field, const Mesh &mesh, const Cuts &cuts)
+  Statistics statistics_of(const Field<double> &field, const Mesh &mesh, const Cuts &cuts)
   {
     const Owned owned(mesh, cuts);
     double area = 0., width_sum = 0.;
@@ -105,8 +105,8 @@ namespace medium
       width_sum += width;
     for (const double height : owned.size[1])
       area += height * width_sum;
-    Spread spread;
-    spread.mean = weighted_sum(field, mesh, cuts) / area;
+    Statistics statistics;
+    statistics.mean = weighted_sum(field, mesh, cuts) / area;
     double low = std::numeric_limits<double>::infinity(), high = -low;
 #pragma omp parallel for schedule(static) reduction(min : low) reduction(max : high)
     for (int j = owned.first[1]; j < owned.end[1]; ++j)
@@ -116,20 +116,20 @@ namespace medium
       for (int i = owned.first[0]; i < owned.end[0]; ++i)
         low = std::min(low, f[i]), high = std::max(high, f[i]);
     }
-    spread.min = low, spread.max = high;
-    spread.variance = sum_of_rows(owned,
-                                  [&](const int j, const double height)
-                                  {
-                                    const double *const f =
-                                        field.row(owned.first[1] + j) + owned.first[0];
-                                    return row_sum(owned,
-                                                   [&](const int i, const double width)
-                                                   {
-                                                     const double off = f[i] - spread.mean;
-                                                     return height * width * off * off;
-                                                   });
-                                  }) /
-                      area;
-    return spread;
+    statistics.min = low, statistics.max = high;
+    statistics.variance = sum_of_rows(owned,
+                                      [&](const int j, const double height)
+                                      {
+                                        const double *const f =
+                                            field.row(owned.first[1] + j) + owned.first[0];
+                                        return row_sum(owned,
+                                                       [&](const int i, const double width)
+                                                       {
+                                                         const double off = f[i] - statistics.mean;
+                                                         return height * width * off * off;
+                                                       });
+                                      }) /
+                          area;
+    return statistics;
   }
 } // namespace medium

@@ -10,10 +10,10 @@ namespace medium
   /// it can witness conservation to 1e-15. A periodic node stored twice counts twice half.
   double weighted_sum(const Field<double> &, const Mesh &, const Cuts & = {});
 
-  struct Spread
+  struct Statistics
   {
     double mean, variance, min, max;
   };
   /// What stands behind a wall is its mirror image and does not count.
-  Spread spread_of(const Field<double> &, const Mesh &, const Cuts & = {});
+  Statistics statistics_of(const Field<double> &, const Mesh &, const Cuts & = {});
 } // namespace medium

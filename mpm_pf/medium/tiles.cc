@@ -18,8 +18,8 @@ namespace medium
   }
 
   template <class Real>
-  TileState<Real> look(const Tiles &tiles, int column, int row, const Field<Real> *phi,
-                       const Field<Real> *theta, Real flatness, bool &finite)
+  TileState<Real> classify_tile(const Tiles &tiles, int column, int row, const Field<Real> *phi,
+                                const Field<Real> *theta, Real flatness, bool &finite)
   {
     const int begin = tiles.first_node(column), end = tiles.end_node(column);
     TileState<Real> state;
@@ -62,10 +62,10 @@ namespace medium
     return state;
   }
 
-  template TileState<double> look(const Tiles &, int, int, const Field<double> *,
-                                  const Field<double> *, double, bool &);
-  template TileState<float> look(const Tiles &, int, int, const Field<float> *,
-                                 const Field<float> *, float, bool &);
+  template TileState<double> classify_tile(const Tiles &, int, int, const Field<double> *,
+                                           const Field<double> *, double, bool &);
+  template TileState<float> classify_tile(const Tiles &, int, int, const Field<float> *,
+                                          const Field<float> *, float, bool &);
 
   namespace
   {
@@ -78,7 +78,7 @@ namespace medium
     }
 
     template <class Real>
-    void judge_all(Tiles &tiles, const Mesh &mesh, const std::vector<TileState<Real>> &states)
+    void update_all(Tiles &tiles, const Mesh &mesh, const std::vector<TileState<Real>> &states)
     {
       const bool wrap_x = mesh.side(Edge::left) == Boundary::periodic;
       const bool wrap_y = mesh.side(Edge::bottom) == Boundary::periodic;
@@ -105,12 +105,12 @@ namespace medium
     }
   } // namespace
 
-  void judge(Tiles &tiles, const Mesh &mesh, const std::vector<TileState<double>> &states)
+  void update_activity(Tiles &tiles, const Mesh &mesh, const std::vector<TileState<double>> &states)
   {
-    judge_all(tiles, mesh, states);
+    update_all(tiles, mesh, states);
   }
-  void judge(Tiles &tiles, const Mesh &mesh, const std::vector<TileState<float>> &states)
+  void update_activity(Tiles &tiles, const Mesh &mesh, const std::vector<TileState<float>> &states)
   {
-    judge_all(tiles, mesh, states);
+    update_all(tiles, mesh, states);
   }
 } // namespace medium

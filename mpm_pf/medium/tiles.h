@@ -1,8 +1,8 @@
 // Tiles of the mesh, so that work is done only where something happens.
 //
 // A tile is 32 x 8 nodes. Each is in one of three states: active (Eqs. (1) and (2)), heat_only
-// (Eq. (2); phi sits at one of its two wells) or frozen (nothing can change). A tile is judged by
-// itself *and its eight neighbours*: skipping nodes just because they are flat themselves would
+// (Eq. (2); phi sits at one of its two wells) or frozen (nothing can change). A tile is classified
+// by itself *and its eight neighbours*: skipping nodes just because they are flat themselves would
 // freeze the front at its own tail.
 #pragma once
 
@@ -54,14 +54,14 @@ namespace medium
     Real value = 0;        // that value
   };
 
-  /// Looks at the nodes of one tile. `theta` may be null: then it counts as constant.
+  /// Classifies the nodes of one tile. `theta` may be null: then it counts as constant.
   /// Returns false in `finite` if |phi| exceeds 2 or is not a number.
   template <class Real>
-  TileState<Real> look(const Tiles &, int column, int row, const Field<Real> *phi,
-                       const Field<Real> *theta, Real flatness, bool &finite);
+  TileState<Real> classify_tile(const Tiles &, int column, int row, const Field<Real> *phi,
+                                const Field<Real> *theta, Real flatness, bool &finite);
 
   /// Activity of every tile from all states: active unless the 3 x 3 tiles round it sit in the same
   /// well, frozen if moreover theta is one constant on all nine. Periodic sides are followed.
-  void judge(Tiles &, const Mesh &, const std::vector<TileState<double>> &);
-  void judge(Tiles &, const Mesh &, const std::vector<TileState<float>> &);
+  void update_activity(Tiles &, const Mesh &, const std::vector<TileState<double>> &);
+  void update_activity(Tiles &, const Mesh &, const std::vector<TileState<float>> &);
 } // namespace medium

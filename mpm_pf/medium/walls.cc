@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "medium/crossing.h"
-#include "medium/trouble.h"
+#include "medium/numerical_error.h"
 
 namespace medium
 {
@@ -146,17 +146,17 @@ namespace medium
     return std::nullopt;
   }
 
-  void watch(Walls &walls, double time)
+  void start_walls(Walls &walls, double time)
   {
     for (Wall &wall : walls.walls)
       if (!wall.started && wall.asked.start_time && time >= *wall.asked.start_time)
         wall.started = wall.asked.start_time;
   }
 
-  void watch(Walls &walls, const Field<double> &phi, const Mesh &mesh, double time,
-             const Contact counted)
+  void start_walls(Walls &walls, const Field<double> &phi, const Mesh &mesh, double time,
+                   const Contact counted)
   {
-    watch(walls, time);
+    start_walls(walls, time);
     for (Wall &wall : walls.walls)
     {
       const bool by_time = wall.start_distance < 0.;
@@ -172,11 +172,11 @@ namespace medium
         wall.started = time;
       if (*gap > 0. || counted == Contact::push)
         continue;
-      touch(wall, walls, mesh, time);
+      record_contact(wall, walls, mesh, time);
     }
   }
 
-  void touch(Wall &wall, const Walls &walls, const Mesh &mesh, double time)
+  void record_contact(Wall &wall, const Walls &walls, const Mesh &mesh, double time)
   {
     wall.touched = time;
     if (!wall.started && wall.start_distance >= 0.)
@@ -197,7 +197,7 @@ namespace medium
         text << "at time " << time << " a wall crosses " << (wall.travel - before) / h
              << " cells in one step of " << dt
              << "; at most half a cell is allowed: shorten the step";
-        throw NumericalTrouble(text.str());
+        throw NumericalError(text.str());
       }
       wall.position = wall.origin + wall.inward() * wall.travel;
       wall.velocity = wall.inward() * (wall.travel - before) / dt;

@@ -8,16 +8,16 @@
 //   V s^2 (3 - 2 s), s = (t - start)/ramp < 1;   V afterwards;   0 once the travel is done,
 // so it does not depend on the steps taken. With a contact ramp the wall only approaches that way:
 // it stops at the first contact and starts once more from rest ("once the arms reach the walls, the
-// walls start to move"), so that the meeting is no blow.
+// walls start to move"), so that the contact is no impact.
 //
-// One coupling step, and why in this order: watch() looks at phi; move() gives walls their new
-// position and velocity, which is the velocity of the material on them, and the solid answers to
-// that. The melt's fields are then advected out of the old rectangle, whose continuation behind the
-// walls is still in place, and only then does settle() give them the new one: a node that a wall
-// has come nearer to than half a spacing is deactivated, the line before it takes over its cell,
-// and what the weighted sum of a field loses or wins by that is booked as swept. The sum over the
-// active cells plus what was swept is kept to rounding by walls; it changes by advection alone, as
-// -v . grad does.
+// One coupling step, and why in this order: start_walls() examines phi; move() gives walls their
+// new position and velocity, which is the velocity of the material on them, and the solid answers
+// to that. The melt's fields are then advected out of the old rectangle, whose continuation behind
+// the walls is still in place, and only then does update_cuts() give them the new one: a node that
+// a wall has come nearer to than half a spacing is deactivated, the line before it takes over its
+// cell, and what the weighted sum of a field loses or wins by that is counted as swept. The sum over
+// the active cells plus what was swept is kept to rounding by walls; it changes by advection alone,
+// as -v . grad does.
 #pragma once
 
 #include <optional>
@@ -61,7 +61,7 @@ namespace medium
   struct Walls
   {
     std::vector<Wall> walls;
-    Cuts cuts;                  // where the fields end: follows the positions in settle()
+    Cuts cuts;                  // where the fields end: follows the positions in update_cuts()
     double swept_heat = 0.;     // integral of theta lost to the walls, length^2
     double swept_phase = 0.;    // of phi
     const Wall *at(Edge) const; // null where the domain has no wall
@@ -83,18 +83,18 @@ namespace medium
 
   /// Starts walls that the front has come near to (or whose time has come), and notes first
   /// contacts. phi: ghosts and lines behind walls filled.
-  void watch(Walls &, const Field<double> &phi, const Mesh &, double time,
-             Contact counted = Contact::front);
+  void start_walls(Walls &, const Field<double> &phi, const Mesh &, double time,
+                   Contact counted = Contact::front);
 
   /// The same without a front: only starts walls whose time has come.
-  void watch(Walls &, double time);
+  void start_walls(Walls &, double time);
 
   /// Notes the first contact of a wall that the front has not been seen to touch: points feel a
   /// wall through the nodes that both share, before phi = 0 has come up to it.
-  void touch(Wall &, const Walls &, const Mesh &, double time);
+  void record_contact(Wall &, const Walls &, const Mesh &, double time);
 
   /// Moves the walls from `time` to time + dt; sets their velocity to the mean over dt. Throws
-  /// NumericalTrouble if a wall crosses more than half a cell at once.
+  /// NumericalError if a wall crosses more than half a cell at once.
   void move(Walls &, double time, double dt, const Mesh &);
 
   /// Largest step over which no wall crosses more than `fraction` of a cell; infinity once all
@@ -110,10 +110,10 @@ namespace medium
     double *swept;
   };
 
-  /// Lets the fields' rectangle follow the walls, books what is swept, and continues every field
+  /// Lets the fields' rectangle follow the walls, counts what is swept, and continues every field
   /// and its gradients behind the walls. To be called after advection, and once at the start of a
   /// run.
-  void settle(Walls &, const Mesh &, const std::vector<WalledField> &);
+  void update_cuts(Walls &, const Mesh &, const std::vector<WalledField> &);
 
   /// The velocity behind the walls, before advection: across a wall it runs linearly through the
   /// wall's own, along it evenly (slip) or through zero (grip). Ghosts are filled.

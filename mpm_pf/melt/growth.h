@@ -57,7 +57,7 @@ namespace melt
 
     /// `steps` steps of length `h` (time) of Eqs. (1) and (2), right sides. Ghosts are filled
     /// afterwards. Throws std::invalid_argument if h exceeds step_limit() (unless forced), naming
-    /// both; medium::NumericalTrouble if phi leaves its bounds.
+    /// both; medium::NumericalError if phi leaves its bounds.
     void advance(const Fields &, double h, long steps);
 
     /// Steps taken so far: the noise counts by them. Part of a checkpoint.

@@ -60,7 +60,7 @@ namespace melt
 
   /// h D times the Laplacian at node i.
   template <class Real>
-  inline Real spread(const Rows<Real> &f, int i, const Coefficients<Real> &k)
+  inline Real heat_diffusion(const Rows<Real> &f, int i, const Coefficients<Real> &k)
   {
     const Real c = f.here[i], x = f.here[i + 1] + f.here[i - 1], y = f.above[i] + f.below[i];
     return k.heat_edge * ((x + y) - 4 * c) +
@@ -171,7 +171,8 @@ namespace melt
       const Real next = f + change;
       new_phi[i] = next;
       if constexpr (heat)
-        new_theta[i] = theta.here[i] + (spread(theta, i, k) + Real(0.5) * (next - f)); // Eq. (2)
+        new_theta[i] =
+            theta.here[i] + (heat_diffusion(theta, i, k) + Real(0.5) * (next - f)); // Eq. (2)
     }
   }
 
@@ -181,6 +182,6 @@ namespace melt
   {
 #pragma omp simd
     for (int i = 0; i < count; ++i)
-      new_theta[i] = theta.here[i] + spread(theta, i, k); // Eq. (2)
+      new_theta[i] = theta.here[i] + heat_diffusion(theta, i, k); // Eq. (2)
   }
 } // namespace melt

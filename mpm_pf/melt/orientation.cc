@@ -111,7 +111,7 @@ namespace melt
     return made;
   }
 
-  void let_vary(Orientation &orientation, const Mesh &mesh)
+  void allocate_angle_field(Orientation &orientation, const Mesh &mesh)
   {
     if (orientation.varying())
       return;
@@ -140,10 +140,11 @@ namespace melt
     cos_sin_of_four_times(orientation.angle, orientation.cosine, orientation.sine);
   }
 
-  void turn(Orientation &orientation, const medium::Velocity &velocity, double dt, const Mesh &mesh,
-            medium::Advection &advection, const medium::Extension *const front)
+  void advance_orientation(Orientation &orientation, const medium::Velocity &velocity, double dt,
+                           const Mesh &mesh, medium::Advection &advection,
+                           const medium::Extension *const front)
   {
-    let_vary(orientation, mesh);
+    allocate_angle_field(orientation, mesh);
     advection.advect(orientation.angle, orientation.gradients, velocity, dt);
 #pragma omp parallel for schedule(static)
     for (int j = 0; j < mesh.nodes[1]; ++j)

@@ -45,21 +45,21 @@ namespace melt
 
   /// Gives every node its own angle: allocates the fields, uniform so far. Does nothing if they
   /// are.
-  void let_vary(Orientation &, const Mesh &);
+  void allocate_angle_field(Orientation &, const Mesh &);
 
   /// cos and sin of four times `angle` (radians), to 1e-15, without a library call; fields of equal
   /// shape, ghosts included.
   void cos_sin_of_four_times(const Field<double> &angle, Field<double> &cosine,
                              Field<double> &sine);
 
-  /// To be called after `angle` was changed by anything but turn() (extension, restart): fills its
-  /// ghosts and refreshes cosine and sine.
+  /// To be called after `angle` was changed by anything but advance_orientation() (extension,
+  /// restart): fills its ghosts and refreshes cosine and sine.
   void refresh(Orientation &, const Mesh &);
 
   /// Eq. (3) over dt: advects the angle and adds the spin at the departure's arrival node, then
   /// refreshes. Ghosts of `velocity` must be filled. `front`, if not null, is what the velocity was
   /// extended into the melt with, x then y: the solid's spin is then that of the solid right up to
   /// its front.
-  void turn(Orientation &, const medium::Velocity &, double dt, const Mesh &, medium::Advection &,
-            const medium::Extension *front = nullptr);
+  void advance_orientation(Orientation &, const medium::Velocity &, double dt, const Mesh &,
+                           medium::Advection &, const medium::Extension *front = nullptr);
 } // namespace melt

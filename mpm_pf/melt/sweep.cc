@@ -2,9 +2,9 @@
 
 #include <sstream>
 
-#include "medium/trouble.h"
+#include "medium/numerical_error.h"
+#include "melt/band_scheduler.h"
 #include "melt/noise.h"
-#include "melt/turns.h"
 
 namespace melt
 {
@@ -78,29 +78,30 @@ namespace melt
     const Pair pair{{fields.phi, &spare_phi}, {fields.theta, &spare_theta}};
     bool finite = true;
     long done = 0;
-    Turns turns(map.rows, mesh.side(Edge::bottom) == Boundary::periodic);
+    BandScheduler scheduler(map.rows, mesh.side(Edge::bottom) == Boundary::periodic);
 #pragma omp parallel
-    for (long step = 0; step < steps; step += judged_every) // all threads leave at the break
+    for (long step = 0; step < steps;
+         step += steps_between_updates) // all threads leave at the break
     {
       const int old = static_cast<int>(step & 1);
 #pragma omp for schedule(dynamic, 1) reduction(&& : finite)
       for (int band = 0; band < map.rows; ++band)
-        finite = look_at_band(fields, pair, old, band) && finite;
+        finite = classify_band(fields, pair, old, band) && finite;
 #pragma omp single
       {
-        judge(pair, old);
+        update_tiles(pair, old);
         done = step;
-        turns.start();
+        scheduler.start();
       }
       if (!finite)
         break;
-      const long count = std::min<long>(judged_every, steps - step);
-      turns.take(count,
-                 [&](const int band, const long ahead)
-                 {
-                   step_band(fields, pair, static_cast<int>((step + ahead) & 1), k, band,
-                             first_step + step + ahead);
-                 });
+      const long count = std::min<long>(steps_between_updates, steps - step);
+      scheduler.run(count,
+                    [&](const int band, const long ahead)
+                    {
+                      step_band(fields, pair, static_cast<int>((step + ahead) & 1), k, band,
+                                first_step + step + ahead);
+                    });
 #pragma omp barrier
     }
     const bool swapped = (finite ? steps : done) % 2 != 0;
@@ -109,9 +110,9 @@ namespace melt
     if (swapped && fields.theta)
       fields.theta->swap(spare_theta);
     if (!finite)
-      throw medium::NumericalTrouble("growth step " + std::to_string(first_step + done) + ": " +
-                                     first_bad_node(*fields.phi, mesh) +
-                                     " has left its bounds; is the step past its limit?");
+      throw medium::NumericalError("growth step " + std::to_string(first_step + done) + ": " +
+                                   first_bad_node(*fields.phi, mesh) +
+                                   " has left its bounds; is the step past its limit?");
     if (fields.phi)
       medium::fill_behind(*fields.phi, cuts, mesh);
     if (fields.theta)
@@ -236,14 +237,14 @@ namespace melt
   }
 
   template <class Real>
-  bool Sweep<Real>::look_at_band(const Fields &fields, const Pair &pair, int now, int band)
+  bool Sweep<Real>::classify_band(const Fields &fields, const Pair &pair, int now, int band)
   {
     bool finite = true;
     for (int column = 0; column < map.columns; ++column)
     {
       medium::TileState<Real> &state = states[map.index(column, band)];
-      state = medium::look(map, column, band, fields.phi ? pair.phi[now] : nullptr,
-                           fields.theta ? pair.theta[now] : nullptr, flatness, finite);
+      state = medium::classify_tile(map, column, band, fields.phi ? pair.phi[now] : nullptr,
+                                    fields.theta ? pair.theta[now] : nullptr, flatness, finite);
       if (!skipping)
         state.well = 0;
       if (fields.noise)
@@ -253,10 +254,10 @@ namespace melt
   }
 
   template <class Real>
-  void Sweep<Real>::judge(const Pair &pair, int now)
+  void Sweep<Real>::update_tiles(const Pair &pair, int now)
   {
     const std::vector<Activity> before = map.activity;
-    medium::judge(map, mesh, states);
+    medium::update_activity(map, mesh, states);
     for (int row = 0; row < map.rows; ++row)
     {
       std::vector<Run> &list = runs[static_cast<std::size_t>(row)];

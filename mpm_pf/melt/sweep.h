@@ -4,8 +4,8 @@
 // Each field has a second copy; a step reads one and writes the other. Rows are cut into bands of
 // one tile's height, the unit of work of a thread: every node is computed by the same expression
 // from the same old values, so that the result has the same bits for any number of threads. Bands
-// go on to the next step as soon as their neighbours let them (melt/turns.h). Tiles
-// (medium/tiles.h) are judged afresh every 16 steps. phi counts as resting in a well within
+// go on to the next step as soon as their neighbours let them (melt/band_scheduler.h). Tiles
+// (medium/tiles.h) are classified anew every 16 steps. phi counts as resting in a well within
 // `flatness`; theta counts as resting only where it is one constant to the last bit, so that
 // skipping changes nothing and loses no heat. Tiles on and off differ by no more than the flatness.
 #pragma once
@@ -37,8 +37,8 @@ namespace melt
     /// How far phi may be from its well in a tile that is skipped. In single precision phi stalls a
     /// few roundings before its well, so the flatness must lie above that.
     static constexpr Real flatness = sizeof(Real) == 8 ? Real(1e-10) : Real(1e-5);
-    /// Steps between two judgements of the tiles.
-    static constexpr int judged_every = 16;
+    /// Steps between two updates of the tiles.
+    static constexpr int steps_between_updates = 16;
 
     /// `tiles` false: every tile is always active.
     Sweep(const Mesh &, bool tiles);
@@ -52,7 +52,7 @@ namespace melt
       const medium::Cuts *cuts = nullptr; // moving walls; null: the domain ends at its borders
     };
     /// `steps` steps with the coefficients of one step; `first_step` numbers them for the noise.
-    /// Ghosts are filled before and after. Throws medium::NumericalTrouble where phi stops being
+    /// Ghosts are filled before and after. Throws medium::NumericalError where phi stops being
     /// finite (|phi| > 2), naming step and node.
     void run(const Fields &, const Coefficients<Real> &, long first_step, long steps);
 
@@ -81,8 +81,8 @@ namespace melt
                      RowRange) const;
     void step_heat(const Pair &, int old, const Coefficients<Real> &, Run, RowRange) const;
     void finish_row(Field<Real> &next, const Field<Real> &last, int j, const medium::Cuts *) const;
-    bool look_at_band(const Fields &, const Pair &, int now, int band);
-    void judge(const Pair &, int now);
+    bool classify_band(const Fields &, const Pair &, int now, int band);
+    void update_tiles(const Pair &, int now);
     void rest_in_both(const Pair &, int now, int column, int row, medium::Activity) const;
 
     Mesh mesh;

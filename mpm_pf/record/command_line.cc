@@ -45,7 +45,7 @@ namespace record
                              : "a name without '/', not \"" + name + "\"; folders go to --output";
               },
               "NAME"));
-      const Provenance made = collect(program, "", 1);
+      const Provenance made = collect_provenance(program, "", 1);
       app.set_version_flag("--version", program + " " + made.at("version") + ", commit " +
                                             made.at("commit") +
                                             (made.at("dirty") == "yes" ? " with changes" : ""));

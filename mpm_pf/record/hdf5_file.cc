@@ -216,7 +216,7 @@ namespace record::hdf5
     dataset.close("cannot append to dataset " + name);
   }
 
-  void keep_rows(const hid_t parent, const std::string &name, const hsize_t rows)
+  void truncate_rows(const hid_t parent, const std::string &name, const hsize_t rows)
   {
     Handle dataset(H5Dopen2(parent, name.c_str(), H5P_DEFAULT), "no dataset " + name);
     Shape extents = shape_of(dataset, name);

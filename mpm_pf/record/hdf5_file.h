@@ -78,7 +78,7 @@ namespace record::hdf5
   /// Datasets of doubles whose first extent grows: one row has the extents `row`.
   void create_rows(hid_t parent, const std::string &name, const Shape &row);
   void append_rows(hid_t parent, const std::string &name, const std::vector<double> &values);
-  void keep_rows(hid_t parent, const std::string &name, hsize_t count); // forget all after them
+  void truncate_rows(hid_t parent, const std::string &name, hsize_t count); // forget all after them
 
   void write_text(hid_t parent, const std::string &name, const std::string &);
   void write_texts(hid_t parent, const std::string &name, const std::vector<std::string> &);

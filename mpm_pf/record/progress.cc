@@ -48,7 +48,7 @@ namespace record
     return printed("%.0f h %02.0f min", std::floor(minutes / 60.), std::fmod(minutes, 60.));
   }
 
-  void Progress::expect(const double new_end)
+  void Progress::set_end(const double new_end)
   {
     end = new_end;
   }
@@ -65,7 +65,7 @@ namespace record
       line += "  " + detail;
     if (const double left = seconds_left(time); std::isfinite(left))
       line += "  left " + duration(left);
-    say(line);
+    write_line(line);
   }
 
   double Progress::seconds_left(const double time)
@@ -78,7 +78,7 @@ namespace record
     return seconds_since(earlier.at) * (end - time) / (time - earlier.time);
   }
 
-  void Progress::say(const std::string &line)
+  void Progress::write_line(const std::string &line)
   {
     if (style == Style::terminal)
     {
@@ -94,7 +94,7 @@ namespace record
   {
     if (style == Style::quiet)
       return;
-    say(what + ": " + outcome + " in " + duration(seconds_since(start)));
+    write_line(what + ": " + outcome + " in " + duration(seconds_since(start)));
     if (style == Style::terminal)
       *out << '\n' << std::flush;
   }

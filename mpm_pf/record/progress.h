@@ -22,14 +22,14 @@ namespace record
     static Style style_of_stderr(bool quiet);
 
     /// `what` opens every line, as in "mpm_pf shear"; `begin` to `end` is the simulated time to go
-    /// (begin > 0 for a resumed run: the rate counts from there). The time left is foretold from
+    /// (begin > 0 for a resumed run: the rate counts from there). The time left is predicted from
     /// the pace of the last one to two `window_s`: a crystal that meets a wall goes on far more
     /// slowly.
     Progress(std::ostream &, Style, std::string what, double begin, double end,
              double window_s = 30.);
 
     /// The run is now thought to last until `end` (walls may end it sooner than its clock).
-    void expect(double end);
+    void set_end(double end);
     /// Say where the run is; cheap when it is not yet time for a line. `detail` is appended, as in
     /// "step 1200".
     void update(double time, const std::string &detail = "");
@@ -56,6 +56,6 @@ namespace record
     std::size_t length = 0;                      // of the line on the terminal, to wipe it
 
     double seconds_left(double time);
-    void say(const std::string &line);
+    void write_line(const std::string &line);
   };
 } // namespace record

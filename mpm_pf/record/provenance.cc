@@ -47,7 +47,8 @@ namespace record
     }
   } // namespace
 
-  Provenance collect(const std::string &program, const std::string &command, const int threads)
+  Provenance collect_provenance(const std::string &program, const std::string &command,
+                                const int threads)
   {
     return {{"program", program},
             {"version", MPM_PF_VERSION},

@@ -7,12 +7,13 @@
 namespace record
 {
   /// Name -> value: program, version, commit, dirty, compiler, flags, build_type, threads, seed,
-  /// host cpu, command line, start time (UTC), library versions. Filled by collect(); a solver may
-  /// add its own.
+  /// host cpu, command line, start time (UTC), library versions. Filled by collect_provenance(); a
+  /// solver may add its own.
   using Provenance = std::map<std::string, std::string>;
 
   /// `program` as in "mpm_pf"; `command` the argv joined; `threads` in use.
-  Provenance collect(const std::string &program, const std::string &command, int threads);
+  Provenance collect_provenance(const std::string &program, const std::string &command,
+                                int threads);
 
   double wall_seconds(); // monotonic clock
   double cpu_seconds();  // of the whole process, all threads

@@ -4,7 +4,7 @@
 #include <functional>
 #include <stdexcept>
 
-#include "record/pending.h"
+#include "record/write_buffer.h"
 #include "record/xdmf.h"
 #include "scene/value.h"
 
@@ -80,18 +80,18 @@ namespace record
   struct Writer::File
   {
     std::string path, part;
-    Pending pending;
+    WriteBuffer buffer;
     bool finished = false;
     bool broken = false; // a write has failed; HDF5 still holds the file and cannot open it again
 
     explicit File(const std::string &path) : path(path), part(path + ".part") {}
 
-    Pending &open_for(const std::string &name)
+    WriteBuffer &open_for(const std::string &name)
     {
       require_name(name);
       if (finished)
         throw std::logic_error(path + " is finished: nothing can be recorded in it any more");
-      return pending;
+      return buffer;
     }
 
     void write(hdf5::Handle open, const std::function<void(hid_t file)> &work)
@@ -143,7 +143,7 @@ namespace record
     file->write(std::move(open),
                 [&](const hid_t part)
                 {
-                  file->pending.go_on(part, resume.time);
+                  file->buffer.resume(part, resume.time);
                   const hdf5::Handle group = hdf5::open_group(part, "provenance");
                   hdf5::set_attribute(group, "resumed",
                                       hdf5::text_attribute(group, "resumed") + resumed);
@@ -187,12 +187,12 @@ namespace record
   void Writer::snapshot(const std::string &name, const double time, const Snapshot &snapshot)
   {
     check_snapshot(name, snapshot);
-    Pending &pending = file->open_for(name);
+    WriteBuffer &buffer = file->open_for(name);
     file->write(
         [&](const hid_t open)
         {
-          pending.write(open);
-          pending.write_snapshot(open, name, time, snapshot);
+          buffer.write(open);
+          buffer.write_snapshot(open, name, time, snapshot);
         });
   }
 
@@ -207,7 +207,7 @@ namespace record
 
   void Writer::flush()
   {
-    file->write([&](const hid_t open) { file->pending.write(open); });
+    file->write([&](const hid_t open) { file->buffer.write(open); });
   }
 
   void Writer::finish(const Profile &profile, const std::string &status)
@@ -218,7 +218,7 @@ namespace record
     file->write(
         [&](const hid_t open)
         {
-          file->pending.write(open);
+          file->buffer.write(open);
           write_profile(open, profile);
           hdf5::set_attribute(open, "status", status);
           write_xdmf(open, name, xdmf + ".part");

@@ -45,7 +45,7 @@ namespace scene
     std::variant<Rectangle, Disc, Ring, Polygon, RecordedOutline> shape;
     VectorExpression velocity;                               // initial, of X, Y
     std::optional<std::array<Expression, 4>> initial_stress; // xx, yy, zz, xy, of X, Y
-    Place place;
+    SourceLocation place;
   };
 
   /// Elasto-viscoplastic solid. No yield stress: elastic. Yield stress without viscosity:
@@ -54,7 +54,7 @@ namespace scene
   {
     double young_modulus = 0., poisson_ratio = 0., density = 0.;
     std::optional<double> yield_stress, viscosity;
-    Place place;
+    SourceLocation place;
 
     /// Deforms at nearly constant volume, so that full integration would be too stiff.
     bool locks() const { return yield_stress || poisson_ratio > 0.45; }

@@ -10,8 +10,7 @@ namespace scene
   namespace
   {
     // The tables of a [[list]], none if it is absent or not written as one.
-    std::vector<const Value *> tables(const Value &root, const std::string &name,
-                                      Complaints &complaints)
+    std::vector<const Value *> tables(const Value &root, const std::string &name, ErrorList &errors)
     {
       std::vector<const Value *> result;
       const Value *list = root.find(name);
@@ -19,8 +18,8 @@ namespace scene
         return result;
       if (!list->is_list_of_tables())
       {
-        complaints.add(*list, "read a single value or table", "[[" + name + "]]",
-                       "write its header with double brackets: [[" + name + "]]");
+        errors.add(*list, "read a single value or table", "[[" + name + "]]",
+                   "write its header with double brackets: [[" + name + "]]");
         return result;
       }
       for (const Value &item : list->items)
@@ -28,56 +27,55 @@ namespace scene
       return result;
     }
 
-    const Value *table(const Value &root, const std::string &name, Complaints &complaints)
+    const Value *table(const Value &root, const std::string &name, ErrorList &errors)
     {
       const Value *value = root.find(name);
       if (value && value->kind != Value::Kind::table)
       {
-        complaints.add(*value, "read " + inline_text(*value).substr(0, 60), "[" + name + "]",
-                       "write it as one section with the header [" + name + "]");
+        errors.add(*value, "read " + inline_text(*value).substr(0, 60), "[" + name + "]",
+                   "write it as one section with the header [" + name + "]");
         return nullptr;
       }
       return value;
     }
 
     template <class T>
-    const Value *take_one(const std::string &name, T &field, const Value &root,
-                          Complaints &complaints)
+    const Value *read_one(const std::string &name, T &field, const Value &root, ErrorList &errors)
     {
-      const Value *at = table(root, name, complaints);
+      const Value *at = table(root, name, errors);
       if (at)
-        take_section(*find_section(name), *at, &field, complaints);
+        read_section(*find_section(name), *at, &field, errors);
       return at;
     }
 
     template <class T>
     void take_module(const std::string &name, std::optional<T> &field, const Value &root,
-                     Complaints &complaints)
+                     ErrorList &errors)
     {
       T module;
-      if (const Value *at = take_one(name, module, root, complaints))
+      if (const Value *at = read_one(name, module, root, errors))
       {
         module.place = at->place;
         field = module;
       }
     }
 
-    void take_modules(Draft &draft, Complaints &complaints)
+    void read_modules(Draft &draft, ErrorList &errors)
     {
       Scene &s = draft.scene;
       const Value &root = draft.root;
-      take_module("body_force", s.body_force, root, complaints);
-      take_module("solid", s.solid, root, complaints);
-      take_module("mpm", s.mpm, root, complaints);
-      take_module("fe", s.fe, root, complaints);
-      take_module("phase_field", s.phase_field, root, complaints);
-      take_module("growth", s.growth, root, complaints);
-      take_module("heat", s.heat, root, complaints);
-      take_module("orientation", s.orientation, root, complaints);
-      take_module("noise", s.noise, root, complaints);
-      take_module("imposed", s.imposed, root, complaints);
-      take_module("advection", s.advection, root, complaints);
-      take_module("extension", s.extension, root, complaints);
+      take_module("body_force", s.body_force, root, errors);
+      take_module("solid", s.solid, root, errors);
+      take_module("mpm", s.mpm, root, errors);
+      take_module("fe", s.fe, root, errors);
+      take_module("phase_field", s.phase_field, root, errors);
+      take_module("growth", s.growth, root, errors);
+      take_module("heat", s.heat, root, errors);
+      take_module("orientation", s.orientation, root, errors);
+      take_module("noise", s.noise, root, errors);
+      take_module("imposed", s.imposed, root, errors);
+      take_module("advection", s.advection, root, errors);
+      take_module("extension", s.extension, root, errors);
     }
 
     // False if what was written does not say where.
@@ -94,13 +92,13 @@ namespace scene
       return input.on || input.segment || input.region;
     }
 
-    void take_supports(Draft &draft, Complaints &complaints)
+    void read_supports(Draft &draft, ErrorList &errors)
     {
       std::size_t index = 0;
-      for (const Value *at : tables(draft.root, "support", complaints))
+      for (const Value *at : tables(draft.root, "support", errors))
       {
         SupportInput input;
-        take_section(*find_section("support"), *at, &input, complaints);
+        read_section(*find_section("support"), *at, &input, errors);
         Support support{"", {}, input.displacement, at->place};
         if (place_load(input, *at, "support", index++, support.where, support.name))
         {
@@ -110,13 +108,13 @@ namespace scene
       }
     }
 
-    void take_tractions(Draft &draft, Complaints &complaints)
+    void read_tractions(Draft &draft, ErrorList &errors)
     {
       std::size_t index = 0;
-      for (const Value *at : tables(draft.root, "traction", complaints))
+      for (const Value *at : tables(draft.root, "traction", errors))
       {
         TractionInput input;
-        take_section(*find_section("traction"), *at, &input, complaints);
+        read_section(*find_section("traction"), *at, &input, errors);
         Traction traction{"", {}, input.traction, input.pressure, at->place};
         if (place_load(input, *at, "traction", index++, traction.where, traction.name))
         {
@@ -126,12 +124,12 @@ namespace scene
       }
     }
 
-    void take_walls(Draft &draft, Complaints &complaints)
+    void read_walls(Draft &draft, ErrorList &errors)
     {
-      for (const Value *at : tables(draft.root, "wall", complaints))
+      for (const Value *at : tables(draft.root, "wall", errors))
       {
         Wall wall;
-        take_section(*find_section("wall"), *at, &wall, complaints);
+        read_section(*find_section("wall"), *at, &wall, errors);
         wall.place = at->place;
         draft.scene.walls.push_back(wall);
         draft.walls.push_back(at);
@@ -139,14 +137,13 @@ namespace scene
     }
 
     template <class Input, class Build>
-    void take_list(const std::string &name, Draft &draft, Complaints &complaints,
-                   const Build &build_one)
+    void read_list(const std::string &name, Draft &draft, ErrorList &errors, const Build &build_one)
     {
-      for (const Value *at : tables(draft.root, name, complaints))
+      for (const Value *at : tables(draft.root, name, errors))
       {
         Input input;
-        take_section(*find_section(name), *at, &input, complaints);
-        build_one(input, *at, draft, complaints);
+        read_section(*find_section(name), *at, &input, errors);
+        build_one(input, *at, draft, errors);
       }
     }
 
@@ -156,7 +153,7 @@ namespace scene
       std::vector<std::string> of_solid, of_melt;
       if (s.solid)
         for (const std::string_view name : solid_quantities)
-          if (!s.growth || !needs_a_first_place(name))
+          if (!s.growth || !needs_initial_position(name))
             of_solid.emplace_back(name);
       if (s.phase_field)
         of_melt.emplace_back("phi");
@@ -180,7 +177,7 @@ namespace scene
       }
     }
 
-    void refuse_unknown_sections(const Value &root, Complaints &complaints)
+    void refuse_unknown_sections(const Value &root, ErrorList &errors)
     {
       std::vector<std::string> known = find_section("")->key_names();
       for (const Section &section : sections())
@@ -188,16 +185,16 @@ namespace scene
           known.push_back(section.name);
       for (const auto &[name, value] : root.entries)
         if (!find_section("")->find(name) && !(find_section(name) && !name.empty()))
-          complaints.add(value, "there is no such section or key", listed(known),
-                         did_you_mean(name, known));
+          errors.add(value, "there is no such section or key", comma_separated(known),
+                     did_you_mean(name, known));
       for (const Section &section : sections())
         if (section.required && !root.find(section.name))
-          complaints.add(root, "section [" + section.name + "] is missing", "",
-                         "add [" + section.name + "]: " + section.sentence);
+          errors.add(root, "section [" + section.name + "] is missing", "",
+                     "add [" + section.name + "]: " + section.sentence);
     }
   } // namespace
 
-  bool fits(const Form &form, const std::vector<Form> &all, const Value &at, Complaints &complaints)
+  bool fits(const Form &form, const std::vector<Form> &all, const Value &at, ErrorList &errors)
   {
     const auto has = [](const std::vector<std::string> &list, const std::string &key)
     { return std::find(list.begin(), list.end(), key) != list.end(); };
@@ -206,8 +203,8 @@ namespace scene
       if (!at.find(key))
       {
         good = false;
-        complaints.add(at, form.name + " needs \"" + key + "\"", listed(form.needed),
-                       "add " + key + " = ...");
+        errors.add(at, form.name + " needs \"" + key + "\"", comma_separated(form.needed),
+                   "add " + key + " = ...");
       }
     for (const auto &[key, value] : at.entries)
       for (const Form &other : all)
@@ -215,37 +212,37 @@ namespace scene
             !has(form.possible, key))
         {
           good = false;
-          complaints.add(
-              value, "\"" + key + "\" belongs to " + other.name + ", not to " + form.name,
-              listed(form.needed) + (form.possible.empty() ? "" : ", " + listed(form.possible)),
-              "remove it");
+          errors.add(value, "\"" + key + "\" belongs to " + other.name + ", not to " + form.name,
+                     comma_separated(form.needed) +
+                         (form.possible.empty() ? "" : ", " + comma_separated(form.possible)),
+                     "remove it");
           break;
         }
     return good;
   }
 
-  void build(Draft &draft, Complaints &complaints)
+  void build(Draft &draft, ErrorList &errors)
   {
     Scene &s = draft.scene;
     const Value &root = draft.root;
-    refuse_unknown_sections(root, complaints);
+    refuse_unknown_sections(root, errors);
     Header header;
-    take_section(*find_section(""), root, &header, complaints);
+    read_section(*find_section(""), root, &header, errors);
     s.title = header.title;
     s.accuracy = header.accuracy ? word(*header.accuracy) : "";
     UnitsInput units;
-    take_one("units", units, root, complaints);
+    read_one("units", units, root, errors);
     s.units = units.system;
-    if (const Value *at = take_one("domain", s.domain, root, complaints))
+    if (const Value *at = read_one("domain", s.domain, root, errors))
       s.domain.place = at->place;
-    if (const Value *at = take_one("clock", s.clock, root, complaints))
+    if (const Value *at = read_one("clock", s.clock, root, errors))
       s.clock.place = at->place;
-    take_list<BodyInput>("body", draft, complaints, build_body);
-    take_supports(draft, complaints);
-    take_tractions(draft, complaints);
-    take_list<ProbeInput>("probe", draft, complaints, build_probe);
-    take_walls(draft, complaints);
-    take_modules(draft, complaints);
+    read_list<BodyInput>("body", draft, errors, build_body);
+    read_supports(draft, errors);
+    read_tractions(draft, errors);
+    read_list<ProbeInput>("probe", draft, errors, build_probe);
+    read_walls(draft, errors);
+    read_modules(draft, errors);
     for (Wall &wall : s.walls)
       if (!wall.start_time && !wall.start_distance && s.phase_field)
         wall.start_distance = 8. * s.phase_field->width;

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "scene/complaints.h"
+#include "scene/error_list.h"
 #include "scene/inputs.h"
 #include "scene/scene.h"
 #include "scene/value.h"
@@ -19,15 +19,15 @@ namespace scene
     std::string file_texts; // of the outline files, for the hash
   };
 
-  /// Fills `draft.scene` from `draft.root`; what cannot be filled becomes a complaint and is left
+  /// Fills `draft.scene` from `draft.root`; what cannot be filled becomes an error and is left
   /// out.
-  void build(Draft &draft, Complaints &);
+  void build(Draft &draft, ErrorList &);
 
-  /// The shape of a body; complaints for missing and foreign keys, unreadable files.
-  void build_body(const BodyInput &, const Value &at, Draft &, Complaints &);
+  /// The shape of a body; errors for missing and foreign keys, unreadable files.
+  void build_body(const BodyInput &, const Value &at, Draft &, ErrorList &);
 
   /// The kind of a probe, likewise.
-  void build_probe(const ProbeInput &, const Value &at, Draft &, Complaints &);
+  void build_probe(const ProbeInput &, const Value &at, Draft &, ErrorList &);
 
   /// What a shape or kind is made of: the keys it needs and those it may have beside.
   struct Form
@@ -38,7 +38,7 @@ namespace scene
 
   /// Complains of keys that this form needs and `at` lacks, and of keys that belong to other forms
   /// only. True if nothing was wrong.
-  bool fits(const Form &form, const std::vector<Form> &all, const Value &at, Complaints &);
+  bool fits(const Form &form, const std::vector<Form> &all, const Value &at, ErrorList &);
 
   /// Outlines of a CSV file of x,y lines, separated by blank lines; lines that start with # are
   /// skipped. Throws std::runtime_error naming file and line.

@@ -29,7 +29,7 @@ namespace scene
     }
 
     std::vector<Polyline> outlines_of_file(const BodyInput &input, const Value &at, Draft &draft,
-                                           Complaints &complaints)
+                                           ErrorList &errors)
     {
       const Value &key = *at.find("file");
       const std::string path = beside(key.place.file, *input.file);
@@ -37,8 +37,8 @@ namespace scene
       std::error_code ignored;
       if (!stream || !std::filesystem::is_regular_file(path, ignored))
       {
-        complaints.add(key, path + ": there is no such file, or it cannot be read", "",
-                       "give a path relative to the scene file");
+        errors.add(key, path + ": there is no such file, or it cannot be read", "",
+                   "give a path relative to the scene file");
         return {};
       }
       std::ostringstream text;
@@ -50,8 +50,8 @@ namespace scene
       }
       catch (const std::runtime_error &error)
       {
-        complaints.add(key, error.what(), "lines of x,y; a blank line between outlines",
-                       "correct the file");
+        errors.add(key, error.what(), "lines of x,y; a blank line between outlines",
+                   "correct the file");
         return {};
       }
     }
@@ -68,55 +68,53 @@ namespace scene
     }
 
     // Vertices that repeat, no area: nothing that a solid could fill.
-    void check_outlines(const std::vector<Polyline> &outlines, const Value &at,
-                        Complaints &complaints)
+    void check_outlines(const std::vector<Polyline> &outlines, const Value &at, ErrorList &errors)
     {
       for (const Polyline &line : outlines)
       {
         if (line.size() < 3)
         {
-          complaints.add(at, "an outline of " + std::to_string(line.size()) + " points",
-                         "at least three points", "add points");
+          errors.add(at, "an outline of " + std::to_string(line.size()) + " points",
+                     "at least three points", "add points");
           continue;
         }
         const double size = size_of(line);
         if (!(std::abs(signed_area(line)) > 1e-12 * size * size))
-          complaints.add(at, "an outline without area", "a closed outline around an area",
-                         "list the vertices in order around the body");
+          errors.add(at, "an outline without area", "a closed outline around an area",
+                     "list the vertices in order around the body");
         for (std::size_t i = 0; i < line.size(); ++i)
           if ((line[(i + 1) % line.size()] - line[i]).norm() <= 1e-12 * size)
           {
-            complaints.add(at,
-                           "the outline repeats the point (" + number_text(line[i][0]) + ", " +
-                               number_text(line[i][1]) + ")",
-                           "every vertex once; the outline is closed by itself",
-                           "remove the repeated point");
+            errors.add(at,
+                       "the outline repeats the point (" + number_text(line[i][0]) + ", " +
+                           number_text(line[i][1]) + ")",
+                       "every vertex once; the outline is closed by itself",
+                       "remove the repeated point");
             break;
           }
-        if (!complaints.about(at) && crosses_itself(line))
-          complaints.add(
-              at, "the outline crosses or touches itself",
-              "a line around the body that meets itself nowhere",
-              "list the vertices in order around the body; separate pieces and holes are "
-              "outlines of their own");
+        if (!errors.about(at) && crosses_itself(line))
+          errors.add(at, "the outline crosses or touches itself",
+                     "a line around the body that meets itself nowhere",
+                     "list the vertices in order around the body; separate pieces and holes are "
+                     "outlines of their own");
       }
     }
 
     // Where they overlap or lie outside, the even-odd rule would make material of holes.
     void check_holes(const Polyline &rim, const std::vector<Polyline> &holes, const Value &at,
-                     Complaints &complaints)
+                     ErrorList &errors)
     {
       for (std::size_t i = 0; i < holes.size(); ++i)
       {
         const double area = std::abs(signed_area(holes[i])), rounding = 1e-9 * area;
         const std::string which = "hole " + std::to_string(i + 1);
         if (shared_area(holes[i], rim) < area - rounding)
-          complaints.add(at, which + " is not within the vertices' outline", "holes of the polygon",
-                         "move the hole; what cuts the rim belongs to the vertices");
+          errors.add(at, which + " is not within the vertices' outline", "holes of the polygon",
+                     "move the hole; what cuts the rim belongs to the vertices");
         for (std::size_t j = 0; j < i; ++j)
           if (shared_area(holes[i], holes[j]) > rounding)
-            complaints.add(at, which + " overlaps hole " + std::to_string(j + 1),
-                           "holes apart from each other", "join them to one outline");
+            errors.add(at, which + " overlaps hole " + std::to_string(j + 1),
+                       "holes apart from each other", "join them to one outline");
       }
     }
   } // namespace
@@ -159,7 +157,7 @@ namespace scene
     return outlines;
   }
 
-  void build_body(const BodyInput &input, const Value &at, Draft &draft, Complaints &complaints)
+  void build_body(const BodyInput &input, const Value &at, Draft &draft, ErrorList &errors)
   {
     Body body;
     body.name = input.name
@@ -168,10 +166,10 @@ namespace scene
     body.velocity = input.velocity;
     body.initial_stress = input.initial_stress;
     body.place = at.place;
-    const std::size_t before = complaints.count();
+    const std::size_t before = errors.count();
     if (!input.shape ||
-        !fits(shapes().at(static_cast<std::size_t>(*input.shape)), shapes(), at, complaints) ||
-        complaints.about(at))
+        !fits(shapes().at(static_cast<std::size_t>(*input.shape)), shapes(), at, errors) ||
+        errors.about(at))
       return;
     switch (*input.shape)
     {
@@ -183,8 +181,8 @@ namespace scene
       break;
     case Shape::ring:
       if (*input.inner_radius >= *input.outer_radius)
-        complaints.add(*at.find("inner_radius"), "the inner radius is not below the outer one",
-                       "inner_radius < outer_radius", "exchange them");
+        errors.add(*at.find("inner_radius"), "the inner radius is not below the outer one",
+                   "inner_radius < outer_radius", "exchange them");
       body.shape = Ring{*input.centre, *input.inner_radius, *input.outer_radius};
       break;
     case Shape::polygon:
@@ -192,16 +190,16 @@ namespace scene
       Polygon polygon{{*input.vertices}};
       if (input.holes)
         polygon.outlines.insert(polygon.outlines.end(), input.holes->begin(), input.holes->end());
-      check_outlines(polygon.outlines, *at.find("vertices"), complaints);
-      if (input.holes && !complaints.about(*at.find("vertices")))
-        check_holes(*input.vertices, *input.holes, *at.find("holes"), complaints);
+      check_outlines(polygon.outlines, *at.find("vertices"), errors);
+      if (input.holes && !errors.about(*at.find("vertices")))
+        check_holes(*input.vertices, *input.holes, *at.find("holes"), errors);
       body.shape = polygon;
       break;
     }
     case Shape::outline:
     {
-      Polygon polygon{outlines_of_file(input, at, draft, complaints)};
-      check_outlines(polygon.outlines, *at.find("file"), complaints);
+      Polygon polygon{outlines_of_file(input, at, draft, errors)};
+      check_outlines(polygon.outlines, *at.find("file"), errors);
       body.shape = polygon;
       break;
     }
@@ -211,7 +209,7 @@ namespace scene
                           input.time.value_or(-1.), input.cut_above, input.cut_below};
       break;
     }
-    if (complaints.count() > before)
+    if (errors.count() > before)
       return;
     draft.scene.bodies.push_back(body);
     draft.bodies.push_back(&at);

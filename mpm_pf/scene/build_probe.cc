@@ -19,21 +19,21 @@ namespace scene
 
     // A kind that is switched by `= true`: false would ask for nothing.
     void must_be_true(const std::optional<bool> &flag, const char *key, const Value &at,
-                      Complaints &complaints)
+                      ErrorList &errors)
     {
       if (flag && !*flag)
-        complaints.add(*at.find(key), "read false: a probe of nothing", "true",
-                       "remove the probe or write " + std::string(key) + " = true");
+        errors.add(*at.find(key), "read false: a probe of nothing", "true",
+                   "remove the probe or write " + std::string(key) + " = true");
     }
   } // namespace
 
-  void build_probe(const ProbeInput &input, const Value &at, Draft &draft, Complaints &complaints)
+  void build_probe(const ProbeInput &input, const Value &at, Draft &draft, ErrorList &errors)
   {
     Probe probe{input.name,  HistoryProbe{},     input.of, input.times,
                 input.every, input.compressions, at.place};
-    const std::size_t before = complaints.count();
-    must_be_true(input.snapshot, "snapshot", at, complaints);
-    must_be_true(input.history, "history", at, complaints);
+    const std::size_t before = errors.count();
+    must_be_true(input.snapshot, "snapshot", at, errors);
+    must_be_true(input.history, "history", at, errors);
     const std::size_t kind = input.line       ? 0
                              : input.at       ? 1
                              : input.region   ? 2
@@ -43,7 +43,7 @@ namespace scene
                              : input.tip      ? 6
                              : input.history  ? 7
                                               : 8;
-    if (kind == 8 || complaints.about(at) || !fits(kinds()[kind], kinds(), at, complaints))
+    if (kind == 8 || errors.about(at) || !fits(kinds()[kind], kinds(), at, errors))
       return;
     // Points of a melt have no initial position to refer to.
     const bool solid = draft.root.find("solid") != nullptr;
@@ -63,7 +63,7 @@ namespace scene
       probe.kind = SnapshotProbe{};
     else if (input.tip)
       probe.kind = *input.tip;
-    if (complaints.count() > before)
+    if (errors.count() > before)
       return;
     draft.scene.probes.push_back(probe);
     draft.probes.push_back(&at);

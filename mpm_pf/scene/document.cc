@@ -23,9 +23,9 @@ namespace scene
     // toml11 parses by recursion: deeper nesting than any scene needs would overflow the stack.
     constexpr int deepest_nesting = 32;
 
-    Value value_of(const Toml &toml, const std::string &path, Complaints &complaints);
+    Value value_of(const Toml &toml, const std::string &path, ErrorList &errors);
 
-    void fill(Value &value, const Toml &toml, Complaints &complaints)
+    void fill(Value &value, const Toml &toml, ErrorList &errors)
     {
       const std::string &path = value.place.key;
       if (toml.is_boolean())
@@ -53,23 +53,23 @@ namespace scene
       {
         value.kind = Value::Kind::array;
         for (const Toml &item : toml.as_array())
-          value.items.push_back(value_of(item, path, complaints));
+          value.items.push_back(value_of(item, path, errors));
       }
       else if (toml.is_table())
         for (const auto &[key, entry] : toml.as_table())
-          value.set(key, value_of(entry, path.empty() ? key : path + "." + key, complaints));
+          value.set(key, value_of(entry, path.empty() ? key : path + "." + key, errors));
       else
-        complaints.add(value, "read a date or time",
-                       "numbers, texts, true or false, arrays, tables", "write a number");
+        errors.add(value, "read a date or time", "numbers, texts, true or false, arrays, tables",
+                   "write a number");
     }
 
-    Value value_of(const Toml &toml, const std::string &path, Complaints &complaints)
+    Value value_of(const Toml &toml, const std::string &path, ErrorList &errors)
     {
       Value value;
       const toml::source_location location = toml.location();
       value.place = {location.file_name(), static_cast<int>(location.line()), path};
       value.origin = std::make_shared<Origin>(Origin{location});
-      fill(value, toml, complaints);
+      fill(value, toml, errors);
       return value;
     }
 
@@ -110,23 +110,22 @@ namespace scene
       return false;
     }
 
-    // An empty table when the text is no TOML, after a complaint.
-    Value parsed(const std::string &text, const std::string &name, Complaints &complaints)
+    // An empty table when the text is no TOML, after an error.
+    Value parsed(const std::string &text, const std::string &name, ErrorList &errors)
     {
       Value empty;
       empty.place = {name, 1, ""};
       if (nested_too_deeply(text))
       {
-        complaints.add(empty.place,
-                       "[error] " + name + ": brackets or dotted keys nest deeper than " +
-                           std::to_string(deepest_nesting) + " levels, as no scene does");
+        errors.add(empty.place, "[error] " + name + ": brackets or dotted keys nest deeper than " +
+                                    std::to_string(deepest_nesting) + " levels, as no scene does");
         return empty;
       }
       try
       {
         std::istringstream stream(text);
         return value_of(toml::parse<toml::discard_comments, std::map, std::vector>(stream, name),
-                        "", complaints);
+                        "", errors);
       }
       catch (const toml::exception &error)
       {
@@ -134,12 +133,12 @@ namespace scene
         std::string what = error.what();
         if (what.compare(0, 8, "[error] ") == 0)
           what.erase(0, 8);
-        complaints.add(Place{name, line, ""},
-                       "[error] " + name + ":" + std::to_string(line) + ": no valid TOML: " + what);
+        errors.add(SourceLocation{name, line, ""},
+                   "[error] " + name + ":" + std::to_string(line) + ": no valid TOML: " + what);
       }
       catch (const std::exception &error)
       {
-        complaints.add(empty.place, "[error] " + name + ": no valid TOML: " + error.what());
+        errors.add(empty.place, "[error] " + name + ": no valid TOML: " + error.what());
       }
       return empty;
     }
@@ -159,10 +158,10 @@ namespace scene
     using Stack = std::vector<std::filesystem::path>;
 
     Value file_tree(const std::filesystem::path &path, const Value *included_at, Stack stack,
-                    Complaints &complaints);
+                    ErrorList &errors);
 
     Value with_includes(Value tree, const std::filesystem::path &path, const Stack &stack,
-                        Complaints &complaints)
+                        ErrorList &errors)
     {
       const Value *include = tree.find("include");
       if (!include)
@@ -174,17 +173,17 @@ namespace scene
       base.origin = tree.origin;
       for (const Value &file : files)
         if (file.kind == Value::Kind::text)
-          merge(base, file_tree(path.parent_path() / file.text, &file, stack, complaints));
+          merge(base, file_tree(path.parent_path() / file.text, &file, stack, errors));
         else
-          complaints.add(file, "read " + inline_text(file), "a file name or a list of them",
-                         "include = \"scene.toml\"");
+          errors.add(file, "read " + inline_text(file), "a file name or a list of them",
+                     "include = \"scene.toml\"");
       tree.erase("include");
       merge(base, tree);
       return base;
     }
 
     Value file_tree(const std::filesystem::path &path, const Value *included_at, Stack stack,
-                    Complaints &complaints)
+                    ErrorList &errors)
     {
       const std::string name = path.lexically_normal().string();
       Value empty;
@@ -192,9 +191,9 @@ namespace scene
       const auto refuse = [&](const std::string &cause, const std::string &remedy)
       {
         if (included_at)
-          complaints.add(*included_at, cause, "", remedy);
+          errors.add(*included_at, cause, "", remedy);
         else
-          complaints.add(empty.place, "[error] " + cause + "\n  remedy: " + remedy);
+          errors.add(empty.place, "[error] " + cause + "\n  remedy: " + remedy);
         return empty;
       };
       std::error_code ignored;
@@ -209,7 +208,7 @@ namespace scene
             "give the path of a scene file; an include is relative to the including file");
       std::ostringstream text;
       text << stream.rdbuf();
-      return with_includes(parsed(text.str(), name, complaints), path, stack, complaints);
+      return with_includes(parsed(text.str(), name, errors), path, stack, errors);
     }
 
     // On a command line `accuracy=draft` means the text: a bare word would be no TOML.
@@ -229,14 +228,14 @@ namespace scene
   } // namespace
 
   Value load_document(const std::string &path, const std::vector<std::string> &overrides,
-                      Complaints &complaints)
+                      ErrorList &errors)
   {
-    Value tree = file_tree(path, nullptr, {}, complaints);
+    Value tree = file_tree(path, nullptr, {}, errors);
     for (const std::string &text : overrides)
       if (text.size() > 1 && text.back() == '=' && text.find('=') == text.size() - 1)
-        take_away(tree, text.substr(0, text.size() - 1), complaints);
+        remove_key(tree, text.substr(0, text.size() - 1), errors);
       else
-        override_with(tree, parsed(as_toml(text), "--set", complaints), complaints);
+        override_with(tree, parsed(as_toml(text), "--set", errors), errors);
     name_places(tree, "");
     return tree;
   }

@@ -13,8 +13,8 @@ namespace scene
   /// A position or a vector in the plane, in the scene's length unit.
   using Point = Eigen::Vector2d;
 
-  /// Where something was written, so that every later complaint can name it.
-  struct Place
+  /// Where something was written, so that every later error can name it.
+  struct SourceLocation
   {
     std::string file;
     int line = 0;
@@ -26,7 +26,7 @@ namespace scene
   struct Expression
   {
     std::string text = "0";
-    Place place;
+    SourceLocation place;
   };
   using VectorExpression = std::array<Expression, 2>;
 
@@ -77,7 +77,7 @@ namespace scene
     Point size = Point::Zero();
     std::array<int, 2> cells{0, 0};
     std::array<Boundary, 4> boundary{}; // indexed by Edge
-    Place place;
+    SourceLocation place;
 
     Point upper() const { return lower + size; }
     Point spacing() const { return {size[0] / cells[0], size[1] / cells[1]}; }

@@ -20,7 +20,7 @@ namespace scene
     template <class... F>
     Overloaded(F...) -> Overloaded<F...>;
 
-    [[noreturn]] void refuse(const Place &place)
+    [[noreturn]] void refuse(const SourceLocation &place)
     {
       throw BadScene(place.file + ":" + std::to_string(place.line) +
                      ": [[body]] the recorded outline has not been read yet: its polygon must "

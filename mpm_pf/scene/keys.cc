@@ -63,7 +63,7 @@ namespace scene
 
   namespace
   {
-    void check_alternatives(const Section &section, const Value &table, Complaints &complaints)
+    void check_alternatives(const Section &section, const Value &table, ErrorList &errors)
     {
       for (const Alternatives &choice : section.alternatives)
       {
@@ -76,33 +76,32 @@ namespace scene
             names.push_back(key);
           }
         if (present.size() > 1)
-          complaints.add(*present[1], listed(names) + " exclude each other",
-                         "one of " + listed(choice.keys), "keep the one that is meant");
+          errors.add(*present[1], comma_separated(names) + " exclude each other",
+                     "one of " + comma_separated(choice.keys), "keep the one that is meant");
         if (present.empty() && choice.required)
-          complaints.add(table, "nothing says which of " + listed(choice.keys) + " is meant",
-                         "one of " + listed(choice.keys), "add one");
+          errors.add(table, "nothing says which of " + comma_separated(choice.keys) + " is meant",
+                     "one of " + comma_separated(choice.keys), "add one");
       }
     }
   } // namespace
 
-  void take_section(const Section &section, const Value &table, void *target,
-                    Complaints &complaints)
+  void read_section(const Section &section, const Value &table, void *target, ErrorList &errors)
   {
     for (const auto &[name, value] : table.entries)
       if (const Key *key = section.find(name))
-        key->take(value, target, complaints);
+        key->read(value, target, errors);
       else if (!section.name.empty())
-        complaints.add(value, "there is no such key", listed(section.key_names()),
-                       did_you_mean(name, section.key_names()));
+        errors.add(value, "there is no such key", comma_separated(section.key_names()),
+                   did_you_mean(name, section.key_names()));
     for (const Key &key : section.keys)
       if (key.required && !table.find(key.name))
-        complaints.add(table, "\"" + key.name + "\" is missing (" + key.sentence + ")",
-                       key.kind + (key.allowed.range.text().empty() ? "" : ", ") +
-                           key.allowed.range.text(),
-                       "add " + key.name + " = ..." +
-                           (key.chosen_by.empty()
-                                ? ""
-                                : ", or " + key.chosen_by + " = ... at the top of the file"));
-    check_alternatives(section, table, complaints);
+        errors.add(table, "\"" + key.name + "\" is missing (" + key.sentence + ")",
+                   key.kind + (key.allowed.range.text().empty() ? "" : ", ") +
+                       key.allowed.range.text(),
+                   "add " + key.name + " = ..." +
+                       (key.chosen_by.empty()
+                            ? ""
+                            : ", or " + key.chosen_by + " = ... at the top of the file"));
+    check_alternatives(section, table, errors);
   }
 } // namespace scene

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "scene/complaints.h"
+#include "scene/error_list.h"
 #include "scene/units.h"
 #include "scene/value.h"
 
@@ -69,11 +69,11 @@ namespace scene
     std::string name, kind; // kind: "a number", "two whole numbers", ...
     Allowed allowed;
     bool required = false;
-    std::string standard;  // the default, as text; empty: absent
-    std::string chosen_by; // key at the top of the file that may choose a required one instead
+    std::string default_text; // the default, as text; empty: absent
+    std::string chosen_by;    // key at the top of the file that may choose a required one instead
     std::string sentence, reason;
-    /// Reads a value into the field this key names in `target`; what is wrong becomes a complaint.
-    std::function<void(const Value &, void *target, Complaints &)> take;
+    /// Reads a value into the field this key names in `target`; what is wrong becomes an error.
+    std::function<void(const Value &, void *target, ErrorList &)> read;
   };
 
   /// Keys that exclude each other; `required`: one of them must be there.
@@ -102,8 +102,8 @@ namespace scene
   const Section *find_section(std::string_view name);
 
   /// Reads every key of `table` into `target` (the struct that the section's keys belong to);
-  /// unknown, missing, excluded, ill-typed and out-of-range keys become complaints.
-  void take_section(const Section &, const Value &table, void *target, Complaints &);
+  /// unknown, missing, excluded, ill-typed and out-of-range keys become errors.
+  void read_section(const Section &, const Value &table, void *target, ErrorList &);
 
   // Where the tables are.
   std::vector<Section> domain_sections(); // keys_domain.cc: top, units, domain, clock

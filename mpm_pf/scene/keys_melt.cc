@@ -1,4 +1,4 @@
-#include "scene/take.h"
+#include "scene/read_value.h"
 
 namespace scene
 {

@@ -1,5 +1,5 @@
 #include "scene/inputs.h"
-#include "scene/take.h"
+#include "scene/read_value.h"
 
 namespace scene
 {

@@ -20,7 +20,7 @@ namespace scene
     std::string name; // default: the word after `on`
     Where where;
     std::array<std::optional<Expression>, 2> displacement; // empty: this component is free
-    Place place;
+    SourceLocation place;
   };
 
   struct Traction
@@ -29,13 +29,13 @@ namespace scene
     Where where;                        // a box: the part of the outline that starts in it
     VectorExpression traction;          // force per deformed length and unit depth
     std::optional<Expression> pressure; // instead: along the inward normal of the deformed outline
-    Place place;
+    SourceLocation place;
   };
 
   struct BodyForce
   {
     VectorExpression acceleration;
-    Place place;
+    SourceLocation place;
   };
 
   enum class WallGrip
@@ -55,6 +55,6 @@ namespace scene
     double ramp = 0.;                   // time over which the speed rises smoothly
     std::optional<double> contact_ramp; // once more, from rest, from the first contact on
     WallGrip grip = WallGrip::grip;
-    Place place;
+    SourceLocation place;
   };
 } // namespace scene

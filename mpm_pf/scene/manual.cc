@@ -26,7 +26,7 @@ namespace scene
     std::string default_of(const Key &key)
     {
       if (!key.required)
-        return key.standard.empty() ? "absent" : key.standard;
+        return key.default_text.empty() ? "absent" : key.default_text;
       return "none, must be given" +
              (key.chosen_by.empty() ? "" : " unless " + key.chosen_by + " chooses it");
     }
@@ -50,7 +50,7 @@ namespace scene
       std::string text = header_of(section) + "\n  " + section.sentence + "\n";
       for (const Alternatives &choice : section.alternatives)
         text += std::string("  ") + (choice.required ? "exactly" : "at most") +
-                " one of: " + listed(choice.keys) + "\n";
+                " one of: " + comma_separated(choice.keys) + "\n";
       for (const Key &key : section.keys)
         text += "\n" + entry(section, key);
       return text;
@@ -147,7 +147,7 @@ namespace scene
       text += "\n## " + header_of(section) + "\n\n" + section.sentence + "\n";
       for (const Alternatives &choice : section.alternatives)
         text += std::string("\n") + (choice.required ? "Exactly" : "At most") +
-                " one of: " + listed(choice.keys) + ".\n";
+                " one of: " + comma_separated(choice.keys) + ".\n";
       text += "\n| key | kind | unit | range | default | meaning | why this default |\n"
               "|---|---|---|---|---|---|---|\n";
       for (const Key &key : section.keys)

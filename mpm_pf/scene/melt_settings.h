@@ -11,7 +11,7 @@ namespace scene
   struct PhaseField
   {
     double width = 1.;
-    Place place;
+    SourceLocation place;
   }; // W0; alone: a passive marker of the bodies
   enum class Laplacian
   {
@@ -34,33 +34,33 @@ namespace scene
     double step_fraction = 0.8; // of the explicit limit
     std::optional<double> step; // explicit growth step instead
     bool tiles = true;
-    Place place;
+    SourceLocation place;
   };
   struct Heat
   {
     double diffusivity = 3.;
     double undercooling = 0.55;
     std::optional<Expression> initial;
-    Place place;
+    SourceLocation place;
   };
   struct Orientation
   {
     double angle_degrees = 0.;
     bool turning = true;
-    Place place;
+    SourceLocation place;
   };
   struct Noise
   {
     double strength = 0.;
     std::uint64_t seed = 1;
     bool mirrored = false;
-    Place place;
+    SourceLocation place;
   };
   /// Imposed motion instead of a solid: velocity of x, y, t over the whole domain.
   struct Imposed
   {
     VectorExpression velocity;
-    Place place;
+    SourceLocation place;
   };
   enum class AdvectionScheme
   {
@@ -74,7 +74,7 @@ namespace scene
     AdvectionScheme scheme = AdvectionScheme::cip;
     double step_fraction = 0.2;
     bool analytic_gradients = true;
-    Place place;
+    SourceLocation place;
   };
   enum class ExtensionMethod
   {
@@ -85,6 +85,6 @@ namespace scene
   {
     ExtensionMethod method = ExtensionMethod::closest_point;
     double band = 12.;
-    Place place;
+    SourceLocation place;
   };
 } // namespace scene

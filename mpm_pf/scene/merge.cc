@@ -57,7 +57,7 @@ namespace scene
     }
 
     void override_list(Value &list, const Value &over, const std::string &section,
-                       Complaints &complaints)
+                       ErrorList &errors)
     {
       std::vector<std::string> labels;
       for (std::size_t i = 0; i < list.items.size(); ++i)
@@ -69,8 +69,8 @@ namespace scene
           if (name == std::to_string(i + 1))
             at = labels.begin() + static_cast<std::ptrdiff_t>(i);
         if (at == labels.end() || value.kind != Value::Kind::table)
-          complaints.add(value, "there is no [[" + section + "]] \"" + name + "\" to override",
-                         listed(labels), did_you_mean(name, labels));
+          errors.add(value, "there is no [[" + section + "]] \"" + name + "\" to override",
+                     comma_separated(labels), did_you_mean(name, labels));
         else
           merge_tables(list.items[static_cast<std::size_t>(at - labels.begin())], value, section);
       }
@@ -82,13 +82,13 @@ namespace scene
     merge_tables(base, over, "");
   }
 
-  void override_with(Value &base, const Value &over, Complaints &complaints)
+  void override_with(Value &base, const Value &over, ErrorList &errors)
   {
     Value rest = over;
     if (const Value *include = over.find("include"))
     {
-      complaints.add(*include, "an override cannot include a file: files are merged before it",
-                     "include at the top of a scene file", "write a scene that includes both");
+      errors.add(*include, "an override cannot include a file: files are merged before it",
+                 "include at the top of a scene file", "write a scene that includes both");
       rest.erase("include");
     }
     for (const auto &[key, value] : over.entries)
@@ -97,9 +97,9 @@ namespace scene
         Value *present = base.find(key);
         const Section *section = find_section(key);
         if (present && present->is_list_of_tables())
-          override_list(*present, value, key, complaints);
+          override_list(*present, value, key, errors);
         else if (section && section->repeated)
-          complaints.add(value, "there is no [[" + key + "]] to override");
+          errors.add(value, "there is no [[" + key + "]] to override");
         else
           continue;
         rest.erase(key);
@@ -107,18 +107,17 @@ namespace scene
     merge(base, rest);
   }
 
-  void take_away(Value &base, const std::string &path, Complaints &complaints)
+  void remove_key(Value &base, const std::string &path, ErrorList &errors)
   {
     const std::size_t dot = path.find('.');
     const std::string section = dot == std::string::npos ? "" : path.substr(0, dot);
     const std::string key = dot == std::string::npos ? path : path.substr(dot + 1);
     const Section *known = find_section(section);
-    const Place place{"--set", 1, path};
+    const SourceLocation place{"--set", 1, path};
     if (!known || known->repeated || !known->find(key))
     {
-      complaints.add(place, "[error] --set:1: " + path +
-                                "= takes a key away, and there is no key " + path +
-                                " in any section\n  allowed: section.key=");
+      errors.add(place, "[error] --set:1: " + path + "= takes a key away, and there is no key " +
+                            path + " in any section\n  allowed: section.key=");
       return;
     }
     if (Value *table = section.empty() ? &base : base.find(section))

@@ -1,7 +1,7 @@
 // How one tree is laid over another: includes and overrides.
 #pragma once
 
-#include "scene/complaints.h"
+#include "scene/error_list.h"
 #include "scene/value.h"
 
 namespace scene
@@ -12,9 +12,9 @@ namespace scene
 
   /// The same for "--set": here an entry of a list of tables is addressed by its label,
   /// support.top.displacement or body.1.size, and must exist.
-  void override_with(Value &base, const Value &over, Complaints &);
+  void override_with(Value &base, const Value &over, ErrorList &);
 
   /// "--set mpm.mach=": takes a key of a section away, so that its default (or a preset) holds.
   /// The key must be one of the language; it need not be written.
-  void take_away(Value &base, const std::string &path, Complaints &);
+  void remove_key(Value &base, const std::string &path, ErrorList &);
 } // namespace scene

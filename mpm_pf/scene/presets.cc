@@ -231,34 +231,34 @@ namespace scene
     return {0, 0};
   }
 
-  void apply_preset(Value &root, Complaints &complaints)
+  void apply_preset(Value &root, ErrorList &errors)
   {
     const Value *written = root.find("accuracy");
     const auto accuracy = written ? accuracy_named(written->text) : std::nullopt;
     if (!accuracy)
       return; // absent, or a word that the reader of the key refuses
     const Value at = *written;
-    // What the scene is about is read once on trial; its mistakes are told when it is read in
+    // What the scene is about is read once on trial; its mistakes are reported when it is read in
     // earnest.
-    Complaints silent;
+    ErrorList silent;
     Draft trial{{}, root, {}, {}, {}, {}, {}, {}};
     build(trial, silent);
     const Value *domain = root.find("domain");
     const Point size = trial.scene.domain.size;
     const double spacing = wanted_spacing(trial.scene, level_of(*accuracy));
     if (domain && !domain->find("cells") && spacing > 0. && size.maxCoeff() > most_cells * spacing)
-      complaints.add(at,
-                     "the interface or the bodies are so thin that cells of " +
-                         number_text(spacing) + " are wanted in a domain of " +
-                         number_text(size[0]) + " x " + number_text(size[1]),
-                     number_text(most_cells) + " cells each way",
-                     "check phase_field.width and the bodies' sizes, or give [domain] cells");
+      errors.add(at,
+                 "the interface or the bodies are so thin that cells of " + number_text(spacing) +
+                     " are wanted in a domain of " + number_text(size[0]) + " x " +
+                     number_text(size[1]),
+                 number_text(most_cells) + " cells each way",
+                 "check phase_field.width and the bodies' sizes, or give [domain] cells");
     else if (domain && !domain->find("cells") &&
              cells_of_domain(trial.scene, level_of(*accuracy))[0] == 0)
-      complaints.add(at,
-                     "nothing in this scene says how fine its mesh should be, or no square cells "
-                     "of that size divide the domain's width and height",
-                     "", "give [domain] cells");
+      errors.add(at,
+                 "nothing in this scene says how fine its mesh should be, or no square cells "
+                 "of that size divide the domain's width and height",
+                 "", "give [domain] cells");
     for (const Choice &choice : choices_of(trial.scene, level_of(*accuracy)))
       write(choice, root, at);
   }

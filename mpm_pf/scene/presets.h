@@ -10,15 +10,15 @@
 #include <array>
 #include <string>
 
-#include "scene/complaints.h"
+#include "scene/error_list.h"
 #include "scene/scene.h"
 #include "scene/value.h"
 
 namespace scene
 {
   /// Writes the preset's keys into the tree where they are not written, each with the place of
-  /// `accuracy`; does nothing without it. A complaint where no mesh can be chosen.
-  void apply_preset(Value &root, Complaints &);
+  /// `accuracy`; does nothing without it. An error where no mesh can be chosen.
+  void apply_preset(Value &root, ErrorList &);
 
   /// One line per choice, and which of them the scene's own word overrides, for the banner and the
   /// plan; "" without a preset.

@@ -74,6 +74,6 @@ namespace scene
                                       // snapshot), 200 samples (others)
     std::vector<double> compressions; // of a coupled scene with walls: at these relative
                                       // compressions instead (0 is first contact)
-    Place place;
+    SourceLocation place;
   };
 } // namespace scene

@@ -24,7 +24,7 @@ namespace scene
   }
 
   /// Is it measured from where the material was at the start? Material that grew has its own start.
-  inline bool needs_a_first_place(const std::string_view quantity)
+  inline bool needs_initial_position(const std::string_view quantity)
   {
     return quantity.substr(0, 10) == "log_strain";
   }

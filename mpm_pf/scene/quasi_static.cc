@@ -62,7 +62,7 @@ namespace scene
                        { return component && Function(*component).depends_on_time(); });
   }
 
-  bool is_thrown(const Body &body)
+  bool has_initial_velocity(const Body &body)
   {
     return std::any_of(body.velocity.begin(), body.velocity.end(),
                        [](const Expression &component)
@@ -84,7 +84,7 @@ namespace scene
     {
       const bool driven =
           !s.walls.empty() || std::any_of(s.supports.begin(), s.supports.end(), is_driven);
-      if (!driven || std::any_of(s.bodies.begin(), s.bodies.end(), is_thrown))
+      if (!driven || std::any_of(s.bodies.begin(), s.bodies.end(), has_initial_velocity))
         return {};
       const Drive drive = drive_of(s, box);
       const double mach = std::min(wanted, drive.stroke / (crossings * length));

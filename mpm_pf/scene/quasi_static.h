@@ -10,7 +10,7 @@ namespace scene
   /// Does the displacement of the support change with time? Throws BadExpression.
   bool is_driven(const Support &);
   /// Does the body start with a velocity? Throws BadExpression.
-  bool is_thrown(const Body &);
+  bool has_initial_velocity(const Body &);
 
   /// The Mach number to scale to, at most `wanted`, or none where the density stays. It stays if
   /// the solid is driven by anything whose time scale is the true density's (traction, body force,

@@ -29,16 +29,16 @@ namespace scene
 
   Scene read_scene(const std::string &path, const std::vector<std::string> &overrides)
   {
-    Complaints complaints;
-    Value root = load_document(path, overrides, complaints);
+    ErrorList errors;
+    Value root = load_document(path, overrides, errors);
     // Without a readable file every section would be missing too: one error tells it all.
     if (root.entries.empty())
-      complaints.settle();
-    apply_preset(root, complaints);
+      errors.throw_if_any();
+    apply_preset(root, errors);
     Draft draft{{}, root, {}, {}, {}, {}, {}, {}};
-    build(draft, complaints);
-    check_rules(draft, complaints);
-    complaints.settle();
+    build(draft, errors);
+    check_rules(draft, errors);
+    errors.throw_if_any();
     draft.scene.file = path;
     draft.scene.text = canonical_text(root);
     draft.scene.hash = hash_of(draft.scene.text + draft.file_texts);

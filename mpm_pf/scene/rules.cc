@@ -61,7 +61,7 @@ namespace scene
     {
       return {
           // Melt
-          {"The interface width is a tenth of a cell at least.", interface_is_seen_by_nodes},
+          {"The interface width is a tenth of a cell at least.", interface_is_resolved},
           {"The anisotropy is less than 1/15.", anisotropy_is_well_posed},
           {"d0, tau0, W0, D and the kinetic coefficient satisfy the thin-interface relations to 1 "
            "%.",
@@ -80,8 +80,8 @@ namespace scene
           {"An expression is a finite number wherever and whenever it is used.",
            expressions_are_finite},
           // Probes
-          {"A probe looks inside the domain, a point or region of the solid where material is.",
-           probes_look_inside},
+          {"A probe lies inside the domain, a point or region of the solid where material is.",
+           probes_lie_inside},
           {"A probe asks for quantities that its modules know.", quantities_are_known},
           {"A reaction probe names a support, or a wall as \"wall top\".",
            reactions_have_a_support},
@@ -125,21 +125,21 @@ namespace scene
     return table->is_list_of_tables() ? table->items.front() : *table;
   }
 
-  void Inspection::complain(const Value &at, const std::string &cause, const std::string &allowed,
-                            const std::string &remedy) const
+  void Inspection::add_error(const Value &at, const std::string &cause, const std::string &allowed,
+                             const std::string &remedy) const
   {
-    if (at.place.key.empty() || !complaints.about(at))
-      complaints.add(at, cause, allowed, remedy);
+    if (at.place.key.empty() || !errors.about(at))
+      errors.add(at, cause, allowed, remedy);
   }
 
-  void check_rules(const Draft &draft, Complaints &complaints)
+  void check_rules(const Draft &draft, ErrorList &errors)
   {
     const Value *domain = draft.root.find("domain"), *bodies = draft.root.find("body");
-    const auto sound = [&](const Value *value) { return !value || !complaints.about(*value); };
+    const auto sound = [&](const Value *value) { return !value || !errors.about(*value); };
     bool known = domain && sound(domain) && sound(bodies) && !draft.bodies.empty();
     for (const Body &body : draft.scene.bodies)
       known = known && !std::holds_alternative<RecordedOutline>(body.shape);
-    const Inspection inspection{draft, complaints, known};
+    const Inspection inspection{draft, errors, known};
     for (const Rule &rule : rules())
       rule.check(inspection);
   }

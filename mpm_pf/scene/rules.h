@@ -9,13 +9,12 @@
 
 namespace scene
 {
-  /// What a rule looks at, and whom it tells.
+  /// What a rule checks, and where its errors go.
   struct Inspection
   {
     const Draft &draft;
-    Complaints &complaints;
-    bool
-        geometry_known; // domain and bodies were read without complaint, none is a record's outline
+    ErrorList &errors;
+    bool geometry_known; // domain and bodies were read without error, none is a record's outline
 
     const Scene &scene() const { return draft.scene; }
     /// Is the section written, even if something in it is wrong?
@@ -23,9 +22,9 @@ namespace scene
     bool written(const std::string &section, const std::string &key) const;
     /// The key's value if it is written, else its section, else the whole file.
     const Value &at(const std::string &section, const std::string &key = "") const;
-    /// A complaint about `at`, unless it already has one.
-    void complain(const Value &at, const std::string &cause, const std::string &allowed,
-                  const std::string &remedy) const;
+    /// An error about `at`, unless it already has one.
+    void add_error(const Value &at, const std::string &cause, const std::string &allowed,
+                   const std::string &remedy) const;
   };
 
   struct Rule
@@ -37,7 +36,7 @@ namespace scene
   /// All rules, in the order of the manual.
   const std::vector<Rule> &rules();
 
-  /// Applies every rule; each one broken becomes one complaint, with the reason and the remedy.
-  void check_rules(const Draft &, Complaints &);
+  /// Applies every rule; each one broken becomes one error, with the reason and the remedy.
+  void check_rules(const Draft &, ErrorList &);
 
 } // namespace scene

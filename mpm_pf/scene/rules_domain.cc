@@ -57,9 +57,9 @@ namespace scene
   void something_happens(const Inspection &in)
   {
     if (!in.present("solid") && !in.present("phase_field") && !in.present("heat"))
-      in.complain(in.draft.root, "nothing happens in this scene",
-                  "at least one of [solid], [phase_field], [heat]",
-                  "add the section of the module that is meant");
+      in.add_error(in.draft.root, "nothing happens in this scene",
+                   "at least one of [solid], [phase_field], [heat]",
+                   "add the section of the module that is meant");
   }
 
   void sections_are_used(const Inspection &in)
@@ -68,21 +68,21 @@ namespace scene
       if (in.present(need.section) &&
           std::none_of(need.any_of.begin(), need.any_of.end(),
                        [&](const std::string &section) { return in.present(section); }))
-        in.complain(in.at(need.section),
-                    std::string("[") + need.section + "] has no use without " +
-                        bracketed(need.any_of) + ": " + need.reason,
-                    "",
-                    std::string("add ") + bracketed(need.any_of) + ", or remove [" + need.section +
-                        "]");
+        in.add_error(in.at(need.section),
+                     std::string("[") + need.section + "] has no use without " +
+                         bracketed(need.any_of) + ": " + need.reason,
+                     "",
+                     std::string("add ") + bracketed(need.any_of) + ", or remove [" + need.section +
+                         "]");
   }
 
   void imposed_or_solid(const Inspection &in)
   {
     if (in.present("imposed") && in.present("solid"))
-      in.complain(in.at("imposed"),
-                  "[imposed] and [solid] both say how the body moves: an imposed motion stands "
-                  "instead of a solid",
-                  "one of them", "remove [imposed] or [solid]");
+      in.add_error(in.at("imposed"),
+                   "[imposed] and [solid] both say how the body moves: an imposed motion stands "
+                   "instead of a solid",
+                   "one of them", "remove [imposed] or [solid]");
   }
 
   void periodic_sides_are_paired(const Inspection &in)
@@ -91,41 +91,42 @@ namespace scene
     { return in.scene().domain.boundary[static_cast<std::size_t>(edge)] == Boundary::periodic; };
     if (periodic(Edge::left) != periodic(Edge::right) ||
         periodic(Edge::bottom) != periodic(Edge::top))
-      in.complain(in.at("domain", "boundary"), "a periodic side faces one that is not",
-                  "left and right both periodic, or bottom and top", "make both sides periodic");
+      in.add_error(in.at("domain", "boundary"), "a periodic side faces one that is not",
+                   "left and right both periodic, or bottom and top", "make both sides periodic");
   }
 
   void cells_are_square(const Inspection &in)
   {
     const Domain &domain = in.scene().domain;
-    if (!in.present("domain") || in.complaints.about(in.at("domain")) ||
+    if (!in.present("domain") || in.errors.about(in.at("domain")) ||
         !(in.present("solid") || in.present("growth")))
       return;
     const Point h = domain.spacing();
     if (std::abs(h[0] - h[1]) <= 1e-9 * h.maxCoeff())
       return;
     const double fine = h.minCoeff();
-    in.complain(in.at("domain", "cells"),
-                "cells of " + number_text(h[0]) + " x " + number_text(h[1]) + " are not square",
-                "square cells: the stencils and the step limits of a solid or a growing crystal "
-                "know one cell size",
-                "cells = [" + std::to_string(std::lround(domain.size[0] / fine)) + ", " +
-                    std::to_string(std::lround(domain.size[1] / fine)) + "] gives cells of about " +
-                    number_text(fine) + "; adjust size if they do not divide it");
+    in.add_error(in.at("domain", "cells"),
+                 "cells of " + number_text(h[0]) + " x " + number_text(h[1]) + " are not square",
+                 "square cells: the stencils and the step limits of a solid or a growing crystal "
+                 "know one cell size",
+                 "cells = [" + std::to_string(std::lround(domain.size[0] / fine)) + ", " +
+                     std::to_string(std::lround(domain.size[1] / fine)) +
+                     "] gives cells of about " + number_text(fine) +
+                     "; adjust size if they do not divide it");
   }
 
   void mesh_holds_stencils(const Inspection &in)
   {
-    if (!in.present("domain") || in.complaints.about(in.at("domain")) ||
+    if (!in.present("domain") || in.errors.about(in.at("domain")) ||
         !(in.present("phase_field") || in.present("heat") || in.present("wall")))
       return;
     const auto &cells = in.scene().domain.cells;
     if (std::min(cells[0], cells[1]) < fewest_cells)
-      in.complain(in.at("domain", "cells"),
-                  "read [" + std::to_string(cells[0]) + ", " + std::to_string(cells[1]) +
-                      "]: the widest stencil of the fields and walls reaches over more",
-                  "at least " + std::to_string(fewest_cells) + " cells each way",
-                  "refine the mesh");
+      in.add_error(in.at("domain", "cells"),
+                   "read [" + std::to_string(cells[0]) + ", " + std::to_string(cells[1]) +
+                       "]: the widest stencil of the fields and walls reaches over more",
+                   "at least " + std::to_string(fewest_cells) + " cells each way",
+                   "refine the mesh");
   }
 
   void bodies_lie_in_the_domain(const Inspection &in)
@@ -145,29 +146,29 @@ namespace scene
       const Value &at = *in.draft.bodies[i];
       if ((box.lower.array() >= domain.upper().array()).any() ||
           (box.upper.array() <= domain.lower.array()).any())
-        in.complain(at, "the body lies outside the domain", "bodies inside the domain",
-                    "move the body, or enlarge [domain] size or shift its origin");
+        in.add_error(at, "the body lies outside the domain", "bodies inside the domain",
+                     "move the body, or enlarge [domain] size or shift its origin");
       else
         for (const Edge edge : {Edge::left, Edge::right, Edge::bottom, Edge::top})
           if (over[static_cast<std::size_t>(edge)] > slack && open(edge))
           {
-            in.complain(at,
-                        "the body reaches over the domain's " + word(edge) + " side by " +
-                            number_text(over[static_cast<std::size_t>(edge)]),
-                        "bodies inside the domain; only a side with boundary = \"symmetry\" "
-                        "may cut a body",
-                        "enlarge [domain] size, shift its origin, or make the side a symmetry "
-                        "side");
+            in.add_error(at,
+                         "the body reaches over the domain's " + word(edge) + " side by " +
+                             number_text(over[static_cast<std::size_t>(edge)]),
+                         "bodies inside the domain; only a side with boundary = \"symmetry\" "
+                         "may cut a body",
+                         "enlarge [domain] size, shift its origin, or make the side a symmetry "
+                         "side");
             break;
           }
           else if (in.present("solid") && over[static_cast<std::size_t>(edge)] > -slack &&
                    domain.boundary[static_cast<std::size_t>(edge)] == Boundary::periodic)
           {
-            in.complain(at,
-                        "the body lies on the periodic side " + word(edge) +
-                            ", which carries fields across but no material",
-                        "a solid inside the domain; symmetry sides where it is to be confined",
-                        "enlarge [domain] size, or make the sides symmetry sides");
+            in.add_error(at,
+                         "the body lies on the periodic side " + word(edge) +
+                             ", which carries fields across but no material",
+                         "a solid inside the domain; symmetry sides where it is to be confined",
+                         "enlarge [domain] size, or make the sides symmetry sides");
             break;
           }
     }
@@ -176,9 +177,9 @@ namespace scene
   void coupling_step_is_used(const Inspection &in)
   {
     if (in.written("clock", "step") && !in.present("phase_field") && !in.present("heat"))
-      in.complain(in.at("clock", "step"), "nothing is coupled in this scene",
-                  "clock.step with [phase_field] or [heat]",
-                  "remove it; [mpm] step_fraction and [fe] load_steps set the solvers' own steps");
+      in.add_error(in.at("clock", "step"), "nothing is coupled in this scene",
+                   "clock.step with [phase_field] or [heat]",
+                   "remove it; [mpm] step_fraction and [fe] load_steps set the solvers' own steps");
   }
 
   namespace
@@ -204,8 +205,8 @@ namespace scene
       const std::string holder = reserved_for(in.scene().probes[i], in.scene().supports);
       const Value *key = in.draft.probes[i]->find("name");
       if (!holder.empty() && key)
-        in.complain(*key, "the name \"" + in.scene().probes[i].name + "\" is kept for " + holder,
-                    "other names", "change `name`");
+        in.add_error(*key, "the name \"" + in.scene().probes[i].name + "\" is kept for " + holder,
+                     "other names", "change `name`");
     }
     for (const char *section : {"body", "support", "traction", "probe"})
     {
@@ -218,12 +219,12 @@ namespace scene
         const Value *key = item.find("name");
         const Value &at = key ? *key : item;
         if (const auto [seen, is_new] = first.emplace(name, item.place.line); !is_new)
-          in.complaints.add(
+          in.errors.add(
               at, "the name \"" + name + "\" is taken by line " + std::to_string(seen->second),
               "one name each", "add or change `name`");
         if (name.find('/') != std::string::npos || name == "." || name == "..")
-          in.complain(at, "the name \"" + name + "\" cannot stand in a record",
-                      "names without a slash", "change `name`");
+          in.add_error(at, "the name \"" + name + "\" cannot stand in a record",
+                       "names without a slash", "change `name`");
       }
     }
   }

@@ -33,7 +33,7 @@ namespace scene
   void walls_have_room(const Inspection &);
   void walls_stand_on_own_sides(const Inspection &);
   void walls_know_when_to_start(const Inspection &);
-  void interface_is_seen_by_nodes(const Inspection &);
+  void interface_is_resolved(const Inspection &);
   void anisotropy_is_well_posed(const Inspection &);
   void kinetics_are_consistent(const Inspection &);
   void strong_undercooling_has_kinetics(const Inspection &);
@@ -44,7 +44,7 @@ namespace scene
   void loads_do_not_grow(const Inspection &);
 
   // rules_probes.cc
-  void probes_look_inside(const Inspection &);
+  void probes_lie_inside(const Inspection &);
   void quantities_are_known(const Inspection &);
   void reactions_have_a_support(const Inspection &);
   void followed_things_exist(const Inspection &);

@@ -74,10 +74,10 @@ namespace scene
       { return "(" + number_text(p[0]) + ", " + number_text(p[1]) + ")"; };
       for (const char *key : {"on", "segment", "region"})
         if (const Value *value = at.find(key))
-          in.complain(*value, wrong,
-                      "a place where material starts; the bodies reach from " + pair(box.lower) +
-                          " to " + pair(box.upper),
-                      "correct the coordinates, or name a region of the material");
+          in.add_error(*value, wrong,
+                       "a place where material starts; the bodies reach from " + pair(box.lower) +
+                           " to " + pair(box.upper),
+                       "correct the coordinates, or name a region of the material");
     }
 
     bool same_place(const Where &a, const Where &b)
@@ -105,7 +105,7 @@ namespace scene
     {
       if (a.text == b.text)
         return true;
-      if (!in.geometry_known || in.complaints.about(*in.draft.root.find("support")))
+      if (!in.geometry_known || in.errors.about(*in.draft.root.find("support")))
         return false;
       const Function first(a), second(b);
       const Box box = bounding_box(in.scene().bodies);
@@ -149,7 +149,7 @@ namespace scene
   void loads_meet_material(const Inspection &in)
   {
     // A body in the wrong place would make every load look misplaced.
-    if (!in.geometry_known || in.complaints.about(*in.draft.root.find("body")))
+    if (!in.geometry_known || in.errors.about(*in.draft.root.find("body")))
       return;
     for (std::size_t i = 0; i < in.scene().supports.size(); ++i)
       check_place(in.scene().supports[i].where, *in.draft.supports[i], in);
@@ -169,16 +169,16 @@ namespace scene
               (same_place(supports[i].where, supports[j].where) ||
                (!same_motion(*a, *b, in) &&
                 share_material(supports[i].where, supports[j].where, in))))
-            in.complain(*in.draft.supports[i],
-                        "\"" + supports[i].name + "\" and \"" + supports[j].name +
-                            "\" hold the same component of the same place",
-                        "each component once", "remove one, or leave its component \"free\"");
+            in.add_error(*in.draft.supports[i],
+                         "\"" + supports[i].name + "\" and \"" + supports[j].name +
+                             "\" hold the same component of the same place",
+                         "each component once", "remove one, or leave its component \"free\"");
         }
   }
 
   void tractions_act_on_outlines(const Inspection &in)
   {
-    if (!in.geometry_known || in.complaints.about(*in.draft.root.find("body")))
+    if (!in.geometry_known || in.errors.about(*in.draft.root.find("body")))
       return;
     const Box bodies = bounding_box(in.scene().bodies);
     const double spacing = (bodies.upper - bodies.lower).norm() / 2000.;
@@ -186,7 +186,7 @@ namespace scene
     {
       const Value *region = in.draft.tractions[i]->find("region");
       const Where &where = in.scene().tractions[i].where;
-      if (!region || in.complaints.about(*region))
+      if (!region || in.errors.about(*region))
         continue;
       const std::vector<Polyline> lines = outline(in.scene().bodies, spacing);
       const auto runs_through = [&](const Polyline &line)
@@ -195,10 +195,10 @@ namespace scene
                            [&](const Point &X) { return contains(where, bodies, X, 0.); });
       };
       if (std::none_of(lines.begin(), lines.end(), runs_through))
-        in.complain(*region, "no part of the outline runs through this region",
-                    "a box around the loaded part of the outline",
-                    "a traction is a force per length of outline; for a force on all material "
-                    "write [body_force]");
+        in.add_error(*region, "no part of the outline runs through this region",
+                     "a box around the loaded part of the outline",
+                     "a traction is a force per length of outline; for a force on all material "
+                     "write [body_force]");
     }
   }
 } // namespace scene

@@ -30,9 +30,9 @@ namespace scene
     {
       const Domain &domain = in.scene().domain;
       if (!in_domain(p, domain))
-        in.complain(at, "the probe looks at " + pair(p) + ", outside the domain",
-                    "positions from " + pair(domain.lower) + " to " + pair(domain.upper()),
-                    "move the probe, or enlarge the domain");
+        in.add_error(at, "the probe looks at " + pair(p) + ", outside the domain",
+                     "positions from " + pair(domain.lower) + " to " + pair(domain.upper()),
+                     "move the probe, or enlarge the domain");
     }
 
     void check_region(const RegionProbe &region, const Value &at, const Inspection &in)
@@ -40,12 +40,12 @@ namespace scene
       const Domain &domain = in.scene().domain;
       if (region.box && ((region.box->lower.array() >= domain.upper().array()).any() ||
                          (region.box->upper.array() <= domain.lower.array()).any()))
-        in.complain(at, "the probe's region lies outside the domain",
-                    "regions that overlap the domain", "move the region");
+        in.add_error(at, "the probe's region lies outside the domain",
+                     "regions that overlap the domain", "move the region");
       else if (region.box && in.geometry_known && !in.present("growth") &&
                !holds_material(*region.box, in.scene().bodies))
-        in.complain(at, "no material starts in the probe's region", "a box that overlaps a body",
-                    "move the region");
+        in.add_error(at, "no material starts in the probe's region", "a box that overlaps a body",
+                     "move the region");
     }
 
     template <class Names>
@@ -72,9 +72,9 @@ namespace scene
     void check_of_region(const std::string &quantity, const Value &at, const Inspection &in)
     {
       if (is_melt_quantity(quantity))
-        in.complaints.add(at, "a region's mean of \"" + quantity + "\": regions are of the solid",
-                          "quantities of the solid: " + listed(texts(solid_quantities)),
-                          "a line or point probe, or history = true for means over the domain");
+        in.errors.add(at, "a region's mean of \"" + quantity + "\": regions are of the solid",
+                      "quantities of the solid: " + comma_separated(texts(solid_quantities)),
+                      "a line or point probe, or history = true for means over the domain");
     }
 
     const Value &item_or_whole(const Value &list, const std::size_t index)
@@ -83,9 +83,9 @@ namespace scene
     }
   } // namespace
 
-  void probes_look_inside(const Inspection &in)
+  void probes_lie_inside(const Inspection &in)
   {
-    if (!in.present("domain") || in.complaints.about(in.at("domain")))
+    if (!in.present("domain") || in.errors.about(in.at("domain")))
       return;
     for (std::size_t i = 0; i < in.scene().probes.size(); ++i)
     {
@@ -96,8 +96,8 @@ namespace scene
         check_point(line->a, *at.find("line"), in);
         check_point(line->b, *at.find("line"), in);
         if (line->a == line->b)
-          in.complain(*at.find("line"), "the line has no length", "two different points",
-                      "write at = [x, y] for a point");
+          in.add_error(*at.find("line"), "the line has no length", "two different points",
+                       "write at = [x, y] for a point");
       }
       else if (const auto *point = std::get_if<PointProbe>(&probe.kind))
       {
@@ -105,9 +105,9 @@ namespace scene
         const double slack = 1e-6 * in.scene().domain.spacing().minCoeff();
         if (in.geometry_known && point->frame == Frame::material &&
             signed_distance(in.scene().bodies, point->at) < -slack)
-          in.complain(*at.find("at"),
-                      "no material starts at " + pair(point->at) + ", and frame is \"material\"",
-                      "a point of a body, or frame = \"current\"", "move the point");
+          in.add_error(*at.find("at"),
+                       "no material starts at " + pair(point->at) + ", and frame is \"material\"",
+                       "a point of a body, or frame = \"current\"", "move the point");
       }
       else if (const auto *region = std::get_if<RegionProbe>(&probe.kind))
         check_region(*region, *at.find("region"), in);
@@ -129,20 +129,20 @@ namespace scene
       {
         const std::vector<std::string> modules = modules_of(of[k]);
         if (std::find(known.begin(), known.end(), of[k]) == known.end())
-          in.complaints.add(item_or_whole(*list, k), "there is no quantity \"" + of[k] + "\"",
-                            listed(known), did_you_mean(of[k], known));
+          in.errors.add(item_or_whole(*list, k), "there is no quantity \"" + of[k] + "\"",
+                        comma_separated(known), did_you_mean(of[k], known));
         else if (std::none_of(modules.begin(), modules.end(),
                               [&](const std::string &m) { return in.present(m); }))
-          in.complaints.add(item_or_whole(*list, k),
-                            "the quantity \"" + of[k] + "\" needs [" + modules.front() + "]",
-                            "quantities of the modules that are on",
-                            "add [" + modules.front() + "], or leave the quantity out");
-        else if (in.present("growth") && needs_a_first_place(of[k]))
-          in.complaints.add(item_or_whole(*list, k),
-                            "\"" + of[k] +
-                                "\" of a growing crystal: what grew has no place in "
-                                "the first configuration to be strained from",
-                            "plastic_strain, jacobian, or the stresses", "leave it out");
+          in.errors.add(item_or_whole(*list, k),
+                        "the quantity \"" + of[k] + "\" needs [" + modules.front() + "]",
+                        "quantities of the modules that are on",
+                        "add [" + modules.front() + "], or leave the quantity out");
+        else if (in.present("growth") && needs_initial_position(of[k]))
+          in.errors.add(item_or_whole(*list, k),
+                        "\"" + of[k] +
+                            "\" of a growing crystal: what grew has no place in "
+                            "the first configuration to be strained from",
+                        "plastic_strain, jacobian, or the stresses", "leave it out");
         else if (std::holds_alternative<RegionProbe>(in.scene().probes[i].kind))
           check_of_region(of[k], item_or_whole(*list, k), in);
       }
@@ -163,10 +163,11 @@ namespace scene
     for (std::size_t i = 0; i < in.scene().probes.size(); ++i)
       if (const auto *reaction = std::get_if<ReactionProbe>(&in.scene().probes[i].kind))
         if (std::find(names.begin(), names.end(), reaction->support) == names.end())
-          in.complain(*in.draft.probes[i]->find("reaction"),
-                      "there is no support \"" + reaction->support + "\"",
-                      names.empty() ? "the name of a support; this scene has none" : listed(names),
-                      did_you_mean(reaction->support, names));
+          in.add_error(*in.draft.probes[i]->find("reaction"),
+                       "there is no support \"" + reaction->support + "\"",
+                       names.empty() ? "the name of a support; this scene has none"
+                                     : comma_separated(names),
+                       did_you_mean(reaction->support, names));
   }
 
   void followed_things_exist(const Inspection &in)
@@ -176,25 +177,25 @@ namespace scene
       const Probe &probe = in.scene().probes[i];
       const Value &at = *in.draft.probes[i];
       if (std::holds_alternative<TipProbe>(probe.kind) && !in.present("phase_field"))
-        in.complain(*at.find("tip"), "a dendrite tip without [phase_field]", "",
-                    "add [phase_field], or remove the probe");
+        in.add_error(*at.find("tip"), "a dendrite tip without [phase_field]", "",
+                     "add [phase_field], or remove the probe");
       if (std::holds_alternative<RegionProbe>(probe.kind) && !in.present("solid"))
-        in.complain(*at.find("region"), "a mean over material without [solid]", "",
-                    "history = true gives means over the domain; or add [solid]");
+        in.add_error(*at.find("region"), "a mean over material without [solid]", "",
+                     "history = true gives means over the domain; or add [solid]");
       if (const auto *outline = std::get_if<OutlineProbe>(&probe.kind))
       {
         const std::string needed = outline->of == OutlineProbe::Of::phase ? "phase_field" : "solid";
         if (!in.present(needed))
-          in.complain(*at.find("outline"), "this outline needs [" + needed + "]",
-                      "\"material\" with [solid], \"phase\" with [phase_field]",
-                      "add [" + needed + "], or ask for the other outline");
+          in.add_error(*at.find("outline"), "this outline needs [" + needed + "]",
+                       "\"material\" with [solid], \"phase\" with [phase_field]",
+                       "add [" + needed + "], or ask for the other outline");
       }
     }
   }
 
   void times_lie_in_the_run(const Inspection &in)
   {
-    const bool clock = in.present("clock") && !in.complaints.about(in.at("clock"));
+    const bool clock = in.present("clock") && !in.errors.about(in.at("clock"));
     const double end = in.scene().clock.end * (1. + rounding_of_times);
     for (std::size_t i = 0; i < in.scene().probes.size(); ++i)
     {
@@ -207,28 +208,28 @@ namespace scene
         {
           const auto &list = std::string(key) == "times" ? probe.times : probe.compressions;
           if (list.empty())
-            in.complain(*value, "an empty list", allowed, "remove the key");
+            in.add_error(*value, "an empty list", allowed, "remove the key");
           else if (std::adjacent_find(list.begin(), list.end(), std::greater_equal<>()) !=
                    list.end())
-            in.complain(*value, "the list does not increase", allowed, "sort it");
+            in.add_error(*value, "the list does not increase", allowed, "sort it");
         }
       if (clock && !probe.times.empty() && probe.times.back() > end)
-        in.complain(*at.find("times"),
-                    "the time " + number_text(probe.times.back()) + " is past the end", allowed,
-                    "remove the time, or run longer");
+        in.add_error(*at.find("times"),
+                     "the time " + number_text(probe.times.back()) + " is past the end", allowed,
+                     "remove the time, or run longer");
       if (clock && probe.every && *probe.every > end)
-        in.complain(*at.find("every"),
-                    "an interval of " + number_text(*probe.every) + " is longer than the run",
-                    "at most the end, " + number_text(in.scene().clock.end),
-                    "shorten it, or run longer");
+        in.add_error(*at.find("every"),
+                     "an interval of " + number_text(*probe.every) + " is longer than the run",
+                     "at most the end, " + number_text(in.scene().clock.end),
+                     "shorten it, or run longer");
       if (clock && probe.every && end / *probe.every > most_records)
-        in.complain(*at.find("every"),
-                    "an interval of " + number_text(*probe.every) + " makes " +
-                        number_text(std::floor(end / *probe.every)) + " records",
-                    "at most " + number_text(most_records) + " records", "a longer interval");
+        in.add_error(*at.find("every"),
+                     "an interval of " + number_text(*probe.every) + " makes " +
+                         number_text(std::floor(end / *probe.every)) + " records",
+                     "at most " + number_text(most_records) + " records", "a longer interval");
       if (!probe.compressions.empty() && !in.present("wall"))
-        in.complain(*at.find("compressions"), "compressions without a wall", "",
-                    "add [[wall]], or give times");
+        in.add_error(*at.find("compressions"), "compressions without a wall", "",
+                     "add [[wall]], or give times");
     }
   }
 } // namespace scene

@@ -10,7 +10,7 @@ namespace scene
 {
   namespace
   {
-    // Only expressions that are sound: the others have their complaint already.
+    // Only expressions that are sound: the others have their error already.
     template <class Test>
     bool any_expression(const Expression &e, const Test &test)
     {
@@ -34,10 +34,10 @@ namespace scene
   void viscosity_needs_yield_stress(const Inspection &in)
   {
     if (in.written("solid", "viscosity") && !in.written("solid", "yield_stress"))
-      in.complain(in.at("solid", "viscosity"),
-                  "a viscosity without a yield stress: Perzyna's law, Eq. (6), acts on the stress "
-                  "above the yield stress",
-                  "viscosity together with yield_stress", "add yield_stress, or remove viscosity");
+      in.add_error(in.at("solid", "viscosity"),
+                   "a viscosity without a yield stress: Perzyna's law, Eq. (6), acts on the stress "
+                   "above the yield stress",
+                   "viscosity together with yield_stress", "add yield_stress, or remove viscosity");
   }
 
   void initial_state_is_of_a_solid(const Inspection &in)
@@ -49,21 +49,21 @@ namespace scene
         if (const Value *value = in.draft.bodies[i]->find(key))
         {
           if (!in.present("solid"))
-            in.complain(*value, std::string(key) + " of a body without [solid]", "",
-                        "add [solid], or remove the key");
+            in.add_error(*value, std::string(key) + " of a body without [solid]", "",
+                         "add [solid], or remove the key");
           const bool stress = std::string(key) == "initial_stress";
           if (stress ? std::any_of(body.initial_stress->begin(), body.initial_stress->end(), timed)
                      : std::any_of(body.velocity.begin(), body.velocity.end(), timed))
-            in.complain(*value, "an initial value that depends on t", "expressions of X and Y",
-                        "remove t");
+            in.add_error(*value, "an initial value that depends on t", "expressions of X and Y",
+                         "remove t");
           if (in.present("growth") && in.present("wall"))
-            in.complain(*value,
-                        std::string(key) +
-                            " of a crystal that grows between walls: it has material, at rest and "
-                            "free of stress, once a wall touches it",
-                        "crystals without walls start with a " +
-                            std::string(stress ? "stress" : "velocity"),
-                        "remove the key, or the walls");
+            in.add_error(*value,
+                         std::string(key) +
+                             " of a crystal that grows between walls: it has material, at rest and "
+                             "free of stress, once a wall touches it",
+                         "crystals without walls start with a " +
+                             std::string(stress ? "stress" : "velocity"),
+                         "remove the key, or the walls");
         }
     }
   }
@@ -74,11 +74,11 @@ namespace scene
     {
       const Support &support = in.scene().supports[i];
       const Value *key = in.draft.supports[i]->find("displacement");
-      if (!key || in.complaints.about(*key))
+      if (!key || in.errors.about(*key))
         continue;
       if (!support.displacement[0] && !support.displacement[1])
-        in.complain(*key, "both components are free: this support holds nothing",
-                    "at least one component held", "remove the support, or hold a component");
+        in.add_error(*key, "both components are free: this support holds nothing",
+                     "at least one component held", "remove the support, or hold a component");
       if (!in.geometry_known)
         continue;
       const Box box = bounding_box(in.scene().bodies);
@@ -89,62 +89,62 @@ namespace scene
                                           [&](const Function &f) {
                                             return std::abs(f({X, X, 0.})) > 1e-9 * size;
                                           }))
-            in.complain(*key,
-                        "the displacement \"" + component->text +
-                            "\" is not 0 at t = 0: the "
-                            "body would start with a jump",
-                        "displacements that start from 0",
-                        "multiply by t, or by smooth(t, T) over a time T");
+            in.add_error(*key,
+                         "the displacement \"" + component->text +
+                             "\" is not 0 at t = 0: the "
+                             "body would start with a jump",
+                         "displacements that start from 0",
+                         "multiply by t, or by smooth(t, T) over a time T");
     }
   }
 
   void transfer_keys_are_used(const Inspection &in)
   {
-    if (!in.scene().mpm || in.complaints.about(in.at("mpm")))
+    if (!in.scene().mpm || in.errors.about(in.at("mpm")))
       return;
     const Mpm &mpm = *in.scene().mpm;
     if (in.written("mpm", "flip_fraction") && mpm.transfer != Transfer::flip)
-      in.complain(in.at("mpm", "flip_fraction"),
-                  "flip_fraction has no use with transfer = \"" + word(mpm.transfer) + "\"",
-                  "flip_fraction with transfer = \"flip\"", "remove it, or set the transfer");
+      in.add_error(in.at("mpm", "flip_fraction"),
+                   "flip_fraction has no use with transfer = \"" + word(mpm.transfer) + "\"",
+                   "flip_fraction with transfer = \"flip\"", "remove it, or set the transfer");
     const bool incremental = mpm.transfer == Transfer::flip || mpm.transfer == Transfer::xpic2;
     if (mpm.stress_update == StressUpdate::first && !incremental)
-      in.complain(in.at("mpm", "stress_update"),
-                  "stress_update = \"first\" with transfer = \"" + word(mpm.transfer) +
-                      "\", which carries its own velocity gradient",
-                  "stress_update = \"first\" with transfer = \"flip\" or \"xpic2\"",
-                  "remove it, or set the transfer");
+      in.add_error(in.at("mpm", "stress_update"),
+                   "stress_update = \"first\" with transfer = \"" + word(mpm.transfer) +
+                       "\", which carries its own velocity gradient",
+                   "stress_update = \"first\" with transfer = \"flip\" or \"xpic2\"",
+                   "remove it, or set the transfer");
     if (in.written("mpm", "node_mass_floor") && mpm.node_mass_floor > 0. &&
         mpm.stress_update == StressUpdate::first)
-      in.complain(in.at("mpm", "node_mass_floor"),
-                  "node_mass_floor has no use with stress_update = \"first\", which ties no nodes",
-                  "node_mass_floor with stress_update = \"last\"", "remove it");
+      in.add_error(in.at("mpm", "node_mass_floor"),
+                   "node_mass_floor has no use with stress_update = \"first\", which ties no nodes",
+                   "node_mass_floor with stress_update = \"last\"", "remove it");
     const auto &solid = in.scene().solid;
     const bool locks = in.written("solid", "yield_stress") || (solid && solid->locks());
     const bool averaged = mpm.anti_locking.value_or(locks);
     if (in.written("mpm", "pressure_relaxation") && !averaged)
-      in.complain(in.at("mpm", "pressure_relaxation"),
-                  "pressure_relaxation has no use without anti-locking, which is off here",
-                  "pressure_relaxation with anti_locking = true",
-                  "remove it, or set anti_locking = true");
+      in.add_error(in.at("mpm", "pressure_relaxation"),
+                   "pressure_relaxation has no use without anti-locking, which is off here",
+                   "pressure_relaxation with anti_locking = true",
+                   "remove it, or set anti_locking = true");
   }
 
   void mach_has_a_speed(const Inspection &in)
   {
     if (in.written("mpm", "reference_speed") && !in.written("mpm", "mach"))
-      in.complain(in.at("mpm", "reference_speed"), "reference_speed has no use without mach",
-                  "reference_speed with mach", "remove it, or give mach");
+      in.add_error(in.at("mpm", "reference_speed"), "reference_speed has no use without mach",
+                   "reference_speed with mach", "remove it, or give mach");
     if (in.written("mpm", "mach") && !in.written("mpm", "reference_speed") &&
         !in.present("support") && !in.present("wall"))
-      in.complain(in.at("mpm", "mach"),
-                  "a Mach number of what? No support or wall gives a speed to refer to",
-                  "mach with supports, walls or reference_speed", "add reference_speed");
+      in.add_error(in.at("mpm", "mach"),
+                   "a Mach number of what? No support or wall gives a speed to refer to",
+                   "mach with supports, walls or reference_speed", "add reference_speed");
   }
 
   void fe_cells_are_both_given(const Inspection &in)
   {
     if (in.scene().fe && (in.scene().fe->cells[0] == 0) != (in.scene().fe->cells[1] == 0))
-      in.complain(in.at("fe", "cells"), "one number of cells is 0, the other is not",
-                  "two numbers, or [0, 0] to follow the domain's cells", "give both");
+      in.add_error(in.at("fe", "cells"), "one number of cells is 0, the other is not",
+                   "two numbers, or [0, 0] to follow the domain's cells", "give both");
   }
 } // namespace scene

@@ -17,7 +17,7 @@ namespace scene
     {
       constexpr int samples = 32;
       std::vector<double> list{0.};
-      if (in.present("clock") && !in.complaints.about(in.at("clock")))
+      if (in.present("clock") && !in.errors.about(in.at("clock")))
         for (int k = 1; k <= samples; ++k)
           list.push_back(in.scene().clock.end * k / samples);
       return list;
@@ -90,7 +90,7 @@ namespace scene
                const Inspection &in)
     try
     {
-      if (!key || in.complaints.about(*key))
+      if (!key || in.errors.about(*key))
         return;
       const Function f(e);
       where.resize(f.depends_on_position() ? where.size() : 1, Point::Zero());
@@ -98,14 +98,15 @@ namespace scene
       for (const double now : t)
         for (const Point &X : where)
           if (const Argument at{X, X, now}; !std::isfinite(f(at)))
-            return in.complain(*key, "\"" + e.text + "\" is no finite number" + when(f, at),
-                               "a finite number wherever and whenever it is needed",
-                               "keep it off where it is not defined, as in a < b ? c : d; the T of "
-                               "smooth(t, T) and ramp(t, T) is not negative");
+            return in.add_error(
+                *key, "\"" + e.text + "\" is no finite number" + when(f, at),
+                "a finite number wherever and whenever it is needed",
+                "keep it off where it is not defined, as in a < b ? c : d; the T of "
+                "smooth(t, T) and ramp(t, T) is not negative");
     }
     catch (const BadScene &)
     {
-      // The expression has its complaint already.
+      // The expression has its error already.
     }
 
     // Is there a point well inside both?
@@ -199,7 +200,7 @@ namespace scene
 
   void expressions_are_finite(const Inspection &in)
   {
-    if (in.present("domain") && !in.complaints.about(in.at("domain")))
+    if (in.present("domain") && !in.errors.about(in.at("domain")))
     {
       if (in.scene().imposed)
         for (const Expression &e : in.scene().imposed->velocity)
@@ -208,7 +209,7 @@ namespace scene
         check(*in.scene().heat->initial, &in.at("heat", "initial"), nodes(in.scene().domain), {0.},
               in);
     }
-    if (!in.geometry_known || in.complaints.about(*in.draft.root.find("body")))
+    if (!in.geometry_known || in.errors.about(*in.draft.root.find("body")))
       return;
     check_bodies(in);
     check_loads(in);
@@ -223,16 +224,16 @@ namespace scene
     {
       const Body &body = in.scene().bodies[i];
       const Value *key = in.draft.bodies[i]->find("initial_stress");
-      if (!body.initial_stress || !key || in.complaints.about(*key))
+      if (!body.initial_stress || !key || in.errors.about(*key))
         continue;
       if (const auto [most, X] = largest_von_mises(body); most > *solid->yield_stress * (1. + 1e-9))
-        in.complain(*key,
-                    "its von Mises stress at (" + number_text(X[0]) + ", " + number_text(X[1]) +
-                        ") is above the yield stress of " + number_text(*solid->yield_stress) +
-                        ", which no state of a rate-independent solid is",
-                    "sqrt(3/2 s:s) of xx, yy, zz, xy at most yield_stress",
-                    "lower the stress, mind zz (nu (xx + yy) of an elastic plane strain), or give "
-                    "the solid a viscosity that lets it relax");
+        in.add_error(*key,
+                     "its von Mises stress at (" + number_text(X[0]) + ", " + number_text(X[1]) +
+                         ") is above the yield stress of " + number_text(*solid->yield_stress) +
+                         ", which no state of a rate-independent solid is",
+                     "sqrt(3/2 s:s) of xx, yy, zz, xy at most yield_stress",
+                     "lower the stress, mind zz (nu (xx + yy) of an elastic plane strain), or give "
+                     "the solid a viscosity that lets it relax");
     }
   }
 
@@ -244,11 +245,11 @@ namespace scene
     for (std::size_t i = 0; i < bodies.size(); ++i)
       for (std::size_t j = 0; j < i; ++j)
         if (!start_alike(bodies[i], bodies[j]) && overlap(bodies[i], bodies[j]))
-          in.complain(*in.draft.bodies[i],
-                      "\"" + bodies[j].name + "\" and \"" + bodies[i].name +
-                          "\" overlap, but their material starts with different velocities or "
-                          "stresses",
-                      "bodies apart, or the same velocity and initial_stress",
-                      "move one, or write the same expressions");
+          in.add_error(*in.draft.bodies[i],
+                       "\"" + bodies[j].name + "\" and \"" + bodies[i].name +
+                           "\" overlap, but their material starts with different velocities or "
+                           "stresses",
+                       "bodies apart, or the same velocity and initial_stress",
+                       "move one, or write the same expressions");
   }
 } // namespace scene

@@ -1,4 +1,4 @@
-// When a probe looks: the one rule that both solvers follow, so that their tables have the same
+// When a probe samples: the one rule that both solvers follow, so that their tables have the same
 // rows.
 #pragma once
 
@@ -14,7 +14,7 @@ namespace scene
 
   /// Sorted times of `probe` in [0, end]: its explicit times; or 0, every, 2 every, ... and the
   /// end; with neither, the end alone for lines, outlines and snapshots, and 201 equal samples for
-  /// whatever is a history. Empty for a probe that looks at compressions instead.
+  /// whatever is a history. Empty for a probe that samples at compressions instead.
   std::vector<double> sample_times(const Probe &probe, double end);
 
   /// Time between two samples of a probe at regular intervals; end/200 unless it says otherwise.

@@ -12,7 +12,7 @@ namespace scene
   {
     double end = 0.;
     std::optional<double> step; // coupling step of a coupled scene
-    Place place;
+    SourceLocation place;
   };
 
   enum class ShapeFunction
@@ -50,7 +50,7 @@ namespace scene
     std::optional<double> mach;            // wanted V/c_p: density is scaled to it
     std::optional<double> reference_speed; // V; default: largest speed of supports and walls
     bool split_points = false;
-    Place place;
+    SourceLocation place;
   };
 
   /// The finite elements, read by fe_reference only.
@@ -63,6 +63,6 @@ namespace scene
     double tolerance = 1e-9;
     double grading = 0.; // 0: uniform; towards 1: finer near clamped corners
     bool past_folding = false;
-    Place place;
+    SourceLocation place;
   };
 } // namespace scene

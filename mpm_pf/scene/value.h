@@ -32,7 +32,7 @@ namespace scene
     std::string text;
     std::vector<Value> items;   // of an array
     std::vector<Entry> entries; // of a table, sorted by key
-    Place place;                // key: the whole path, "support.top.displacement"
+    SourceLocation place;       // key: the whole path, "support.top.displacement"
     std::shared_ptr<const Origin> origin;
 
     bool is_number() const { return kind == Kind::integer || kind == Kind::number; }

@@ -1,7 +1,7 @@
 #include <stdexcept>
 
+#include "solid/area_budget.h"
 #include "solid/energy.h"
-#include "solid/ledger.h"
 #include "solid/seeding.h"
 #include "solid/splitting.h"
 
@@ -77,7 +77,7 @@ namespace solid
     solid.growing = std::make_unique<Growing>(solid.domain);
     Growing &growing = *solid.growing;
     growing.map.measure(crystal.phi, crystal.mesh, crystal.between_walls);
-    growing.ledger.activated = growing.map.total();
+    growing.budget.activated = growing.map.total();
     const medium::CellAreas areas(crystal.phi, crystal.mesh, crystal.between_walls);
     Filling fill{solid, areas, growing.owed};
     constexpr double grows_on = 1.05;
@@ -98,9 +98,9 @@ namespace solid
     solid.grid.drift = solid.grid.dx; // sort before anything moves
   }
 
-  void start_as(Solid &solid, const std::vector<scene::Body> &bodies)
+  void set_initial_state(Solid &solid, const std::vector<scene::Body> &bodies)
   {
     initialise(solid.points, solid.fraction, 0, bodies, 1e-4 * solid.grid.dx);
-    begin_account(solid);
+    start_energy_account(solid);
   }
 } // namespace solid

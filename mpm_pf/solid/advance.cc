@@ -8,7 +8,7 @@
 #include "solid/mean_velocity.h"
 #include "solid/nodes_to_points.h"
 #include "solid/splitting.h"
-#include "solid/stock.h"
+#include "solid/state_check.h"
 #include "solid/walls.h"
 
 namespace solid
@@ -86,25 +86,26 @@ namespace solid
     void nodes(Solid &solid, const double dt)
     {
       Timed timed(solid, "nodes");
-      push(solid.loads, solid.tracers, solid.points, solid.scheme, solid.supports.folds, solid.grid,
-           1. / solid.material.density, solid.time);
+      apply_tractions(solid.loads, solid.tracers, solid.points, solid.scheme, solid.supports.folds,
+                      solid.grid, 1. / solid.material.density, solid.time);
       if (const auto &X = solid.loads.parted)
-        throw Trouble("the loaded edge that started there has parted from the material, which "
-                      "bears no such load; lower the traction",
-                      solid.steps, solid.time, *X);
+        throw NumericalError(
+            "the loaded edge that started there has parted from the material, which "
+            "bears no such load; lower the traction",
+            solid.steps, solid.time, *X);
       move_nodes(solid, dt);
       prescribe(solid.supports, solid.scheme, solid.points, solid.fraction,
                 solid.loads.acceleration, 1. / solid.material.density, solid.grid, solid.time, dt);
       if (solid.scheme.node_mass_floor > 0. && !solid.scheme.stress_first)
-        follow(solid.light_nodes, solid.supports, solid.grid,
-               solid.scheme.node_mass_floor * solid.material.density * solid.grid.dx *
-                   solid.grid.dx,
-               dt, solid.threads);
+        tie_light_nodes(solid.light_nodes, solid.supports, solid.grid,
+                        solid.scheme.node_mass_floor * solid.material.density * solid.grid.dx *
+                            solid.grid.dx,
+                        dt, solid.threads);
       // v* is what the points bring, not what supports make of it.
       if (solid.scheme.transfer == Transfer::xpic2)
         smooth_velocity(solid.scheme, solid.supports.folds, solid.grid, solid.points);
-      hold(solid.supports, solid.grid, solid.time, dt);
-      book_work(solid.loads, solid.grid, dt);
+      apply_supports(solid.supports, solid.grid, solid.time, dt);
+      add_traction_work(solid.loads, solid.grid, dt);
       move(solid.tracers, solid.scheme, solid.grid, solid.supports.folds, dt);
     }
 
@@ -119,7 +120,7 @@ namespace solid
       move_nodes(solid, dt);
       prescribe(solid.supports, solid.scheme, solid.points, solid.fraction,
                 solid.loads.acceleration, 1. / solid.material.density, grid, solid.time, dt, false);
-      hold(solid.supports, grid, solid.time, dt, false);
+      apply_supports(solid.supports, grid, solid.time, dt, false);
       nodes_to_points(solid, dt, Part::stress);
     }
 
@@ -141,7 +142,7 @@ namespace solid
   void step(Solid &solid, const double dt)
   {
     sort_points(solid);
-    place(solid.supports, solid.tracers, solid.grid, solid.time);
+    place_supports(solid.supports, solid.tracers, solid.grid, solid.time);
     evaluate_body_force(solid.loads, solid.points, solid.fraction, solid.time);
     const bool stress_first = solid.scheme.stress_first;
     if (stress_first)
@@ -152,11 +153,12 @@ namespace solid
       Timed timed(solid, "nodes to points");
       nodes_to_points(solid, dt, stress_first ? Part::motion : Part::all);
     }
-    carry(solid.supports, solid.points, solid.tracers, solid.fraction, solid.loads, solid.time, dt);
-    book_body_work(solid.loads, solid.points, dt);
+    move_held_points(solid.supports, solid.points, solid.tracers, solid.fraction, solid.loads,
+                     solid.time, dt);
+    add_body_force_work(solid.loads, solid.points, dt);
     solid.time += dt;
     ++solid.steps;
-    take_stock(solid, dt);
+    check_state(solid, dt);
   }
 
   void resize_with_grid(Solid &solid)

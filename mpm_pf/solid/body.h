@@ -11,7 +11,7 @@
 
 namespace solid
 {
-  struct Growing; // ledger.h
+  struct Growing; // area_budget.h
 
   struct Energy
   {

@@ -1,5 +1,5 @@
 // Full state as named vectors of doubles; 32-bit numbers fit in them exactly.
-#include "solid/ledger.h"
+#include "solid/area_budget.h"
 
 namespace solid
 {

@@ -68,7 +68,7 @@ namespace solid
       const Acceleration &acceleration;
       const Grid &grid;
       double inverse_density, dt;
-      bool book; // else the forces were left out
+      bool count_reaction; // else the forces were left out
 
       Point push(const std::size_t p) const { return dt * points.mass[p] * acceleration.at(p); }
       Matrix stress(const std::size_t p) const // times volume and dt
@@ -99,13 +99,13 @@ namespace solid
             {
               DrivenPart &part = supports.driven_parts[grid.at(s.i - 1 + a, s.j - 1 + b)][c];
               part.mass += m, part.momentum += m * (velocity[c] + affine.row(c).dot(d));
-              if (book)
+              if (count_reaction)
                 part.impulse += w * pushed[c] - stressed.row(c).dot(slope);
             }
         }
       }
 
-      void charge(Supports &supports, const std::size_t p) const
+      void add_reaction(Supports &supports, const std::size_t p) const
       {
         const Prescribed &point = supports.prescribed[p];
         const Point before(points.vx[p], points.vy[p]), &v = point.velocity, pushed = push(p);
@@ -128,7 +128,7 @@ namespace solid
   void prescribe(Supports &supports, const Scheme &scheme, const Points &points,
                  const Fraction &fraction, const Acceleration &acceleration,
                  const double inverse_density, const Grid &grid, const double t, const double dt,
-                 const bool book)
+                 const bool count_reaction)
   {
     supports.speed = 0.;
     if (supports.driven.empty())
@@ -137,7 +137,7 @@ namespace solid
       region.covers.assign(grid.nodes.size(), {});
     supports.driven_parts.assign(grid.nodes.size(), {});
     supports.prescribed.assign(points.active, {});
-    const Account account{scheme, points, acceleration, grid, inverse_density, dt, book};
+    const Account account{scheme, points, acceleration, grid, inverse_density, dt, count_reaction};
     for (std::size_t p = 0; p < points.active; ++p)
     {
       bool any = false;
@@ -150,8 +150,8 @@ namespace solid
         }
       if (any)
         account.parts(supports, p);
-      if (any && book)
-        account.charge(supports, p);
+      if (any && count_reaction)
+        account.add_reaction(supports, p);
     }
   }
 
@@ -174,7 +174,7 @@ namespace solid
     }
   }
 
-  void carry_driven(const Supports &supports, Points &points)
+  void move_driven_points(const Supports &supports, Points &points)
   {
     for (std::size_t p = 0; p < supports.prescribed.size(); ++p)
     {

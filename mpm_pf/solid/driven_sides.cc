@@ -147,14 +147,14 @@ namespace solid
       return {held->side.distance < beside ? nullptr : held, ratio};
     }
 
-    // The node's velocity, and what that takes, if `book`.
+    // The node's velocity, and what that takes, if `count_reaction`.
     void set(Supports &supports, Grid &grid, const std::ptrdiff_t n, const int c,
-             const DrivenRegion &region, const double v, const bool book)
+             const DrivenRegion &region, const double v, const bool count_reaction)
     {
       const DrivenPart &part = supports.driven_parts[n][c];
       double &velocity = c == 0 ? grid.velocity[n].x : grid.velocity[n].y;
       const double mass = grid.mass[n] - part.mass;
-      if (book)
+      if (count_reaction)
       {
         const double impulse = mass * v - (grid.mass[n] * velocity - part.momentum - part.impulse);
         Support &support = supports.all[region.support];
@@ -198,7 +198,7 @@ namespace solid
     return open;
   }
 
-  void hold_driven(Supports &supports, Grid &grid, const bool book)
+  void apply_driven_regions(Supports &supports, Grid &grid, const bool count_reaction)
   {
     for (int c = 0; c < 2; ++c)
     {
@@ -224,7 +224,7 @@ namespace solid
         const auto [master, ratio] = last_master(all, n);
         const double w =
             master && master->inertia > 0. ? ratio * master->pull / master->inertia : 0.;
-        set(supports, grid, n, c, *all[n].region, all[n].prescribed + w, book);
+        set(supports, grid, n, c, *all[n].region, all[n].prescribed + w, count_reaction);
       }
     }
   }

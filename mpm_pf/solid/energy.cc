@@ -63,7 +63,7 @@ namespace solid
     return sum(solid, [&](const std::size_t p) { return solid.points.mass[p]; });
   }
 
-  void begin_account(Solid &solid)
+  void start_energy_account(Solid &solid)
   {
     const Points &points = solid.points;
     solid.speed = 0.;

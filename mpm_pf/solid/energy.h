@@ -37,5 +37,5 @@ namespace solid
   double missing_energy(const Solid &);
 
   /// Largest speed and energy of points that have just been made: what the account starts from.
-  void begin_account(Solid &);
+  void start_energy_account(Solid &);
 } // namespace solid

@@ -13,7 +13,7 @@ namespace solid
     }
 
     template <typename F>
-    std::vector<double> each(const Chosen &chosen, F &&f)
+    std::vector<double> each(const PointSelection &chosen, F &&f)
     {
       std::vector<double> values(chosen.size());
       for (std::size_t k = 0; k < chosen.size(); ++k)
@@ -21,7 +21,8 @@ namespace solid
       return values;
     }
 
-    std::vector<double> displacement(const Solid &solid, const int axis, const Chosen &chosen)
+    std::vector<double> displacement(const Solid &solid, const int axis,
+                                     const PointSelection &chosen)
     {
       const Points &points = solid.points;
       return each(chosen,
@@ -43,7 +44,7 @@ namespace solid
       return 0.5 * (0.5 * (large + small) + (axis == 0 ? per : -per) * half);
     }
 
-    scene::Box box_of(const Solid &solid, const Frame frame, const Chosen &chosen)
+    scene::Box box_of(const Solid &solid, const Frame frame, const PointSelection &chosen)
     {
       constexpr double most = std::numeric_limits<double>::max();
       scene::Box box{Point(most, most), Point(-most, -most)};
@@ -58,7 +59,7 @@ namespace solid
     constexpr double fitted_cells = 2.; // each way
 
     /// What the fits at the chosen points take into account.
-    Chosen around(const Solid &solid, const Chosen &chosen)
+    PointSelection around(const Solid &solid, const PointSelection &chosen)
     {
       scene::Box box = box_of(solid, Frame::material, chosen);
       const Point margin = Point::Constant(fitted_cells * solid.grid.dx);
@@ -66,7 +67,7 @@ namespace solid
       return points_in(solid, Frame::material, box);
     }
 
-    std::vector<double> log_strain(const Solid &solid, const int axis, const Chosen &chosen)
+    std::vector<double> log_strain(const Solid &solid, const int axis, const PointSelection &chosen)
     {
       const Neighbours neighbours(solid, Frame::material, around(solid, chosen));
       const std::vector<double> ux = displacement(solid, 0, neighbours.chosen);
@@ -94,16 +95,16 @@ namespace solid
     return frame == Frame::material ? initial : initial * solid.points.jacobian[p];
   }
 
-  Chosen all_points(const Solid &solid)
+  PointSelection all_points(const Solid &solid)
   {
-    Chosen all(solid.points.size());
+    PointSelection all(solid.points.size());
     std::iota(all.begin(), all.end(), 0);
     return all;
   }
 
-  Chosen points_in(const Solid &solid, const Frame frame, const scene::Box &box)
+  PointSelection points_in(const Solid &solid, const Frame frame, const scene::Box &box)
   {
-    Chosen inside;
+    PointSelection inside;
     for (std::size_t p = 0; p < solid.points.size(); ++p)
     {
       const Point x = position(solid, p, frame);
@@ -113,7 +114,7 @@ namespace solid
     return inside;
   }
 
-  Neighbours::Neighbours(const Solid &solid, const Frame frame, Chosen some)
+  Neighbours::Neighbours(const Solid &solid, const Frame frame, PointSelection some)
       : chosen(std::move(some)), lower(solid.domain.lower), size(solid.grid.dx), count{1, 1}
   {
     if (!chosen.empty())
@@ -179,7 +180,8 @@ namespace solid
             (c02 * m[6] + c12 * m[7] + c22 * m[8]) / det / reach};
   }
 
-  std::vector<double> field(const Solid &solid, const std::string &name, const Chosen &chosen)
+  std::vector<double> field(const Solid &solid, const std::string &name,
+                            const PointSelection &chosen)
   {
     const Points &points = solid.points;
     const auto of = [&](const auto &array)

@@ -16,21 +16,21 @@ namespace solid
   double area_of(const Solid &, std::size_t p, Frame);
 
   /// Some of the points, ascending.
-  using Chosen = std::vector<std::uint32_t>;
-  Chosen all_points(const Solid &);
-  Chosen points_in(const Solid &, Frame, const scene::Box &);
+  using PointSelection = std::vector<std::uint32_t>;
+  PointSelection all_points(const Solid &);
+  PointSelection points_in(const Solid &, Frame, const scene::Box &);
 
-  /// Chosen points by square cells, in one frame.
+  /// Selected points by square cells, in one frame.
   struct Neighbours
   {
-    Chosen chosen;
+    PointSelection chosen;
     Point lower;
     double size;
     std::array<int, 2> count;
     std::vector<std::uint32_t> start,
         order; // of cell (i, j): chosen[order[start[k]]] to chosen[order[start[k + 1] - 1]]
 
-    Neighbours(const Solid &, Frame, Chosen);
+    Neighbours(const Solid &, Frame, PointSelection);
 
     /// Call f(k) for all chosen[k] of cells that touch the square of half side `reach` around x.
     template <typename F>
@@ -69,5 +69,5 @@ namespace solid
 
   /// A quantity of scene/quantities.h at the chosen points. log_strain is Hencky's, ln(F F^T)/2
   /// with F from fits of the displacement. Throws std::out_of_range for any other name.
-  std::vector<double> field(const Solid &, const std::string &name, const Chosen &);
+  std::vector<double> field(const Solid &, const std::string &name, const PointSelection &);
 } // namespace solid

@@ -36,17 +36,17 @@ namespace solid
   /// points.
   void activate(Solid &, const Crystal &, double time);
   /// What the bodies start with, velocity and stress, for the points just made from them.
-  void start_as(Solid &, const std::vector<scene::Body> &);
+  void set_initial_state(Solid &, const std::vector<scene::Body> &);
 
   /// Remember the areas from which growth starts. Nothing happens before activation.
-  void before_growth(Solid &, const Crystal &);
-  /// After growth: book what each cell has gained or lost since, add or remove points. Nothing
+  void begin_growth(Solid &, const Crystal &);
+  /// After growth: record what each cell has gained or lost since, add or remove points. Nothing
   /// happens before activation.
   void seed_new_points(Solid &, const Crystal &);
 
   /// Areas since activation (length^2) and numbers of points. activated + grown - melted = points +
   /// owed, to round-off.
-  struct Ledger
+  struct AreaBudget
   {
     double activated = 0., grown = 0., melted = 0.;
     double seeded = 0., removed = 0.; // of the points added and taken away since activation
@@ -56,7 +56,7 @@ namespace solid
     double imbalance() const { return activated + grown - melted - points - owed; }
   };
   /// All zero before activation.
-  Ledger ledger(const Solid &);
+  AreaBudget area_budget(const Solid &);
 
   /// Columns for a history of a growing solid: grown_area, melted_area, owed_area, area_imbalance,
   /// area_drift ((current area of the points + owed)/(area of phi > 0) - 1), seeded_points,

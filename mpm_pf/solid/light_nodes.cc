@@ -141,8 +141,8 @@ namespace solid
     }
   } // namespace
 
-  void follow(LightNodes &nodes, const Supports &supports, Grid &grid, const double least,
-              const double dt, const int threads)
+  void tie_light_nodes(LightNodes &nodes, const Supports &supports, Grid &grid, const double least,
+                       const double dt, const int threads)
   {
     const FreeComponents free(supports, grid);
     const int rows = grid.row_end - grid.row_begin;

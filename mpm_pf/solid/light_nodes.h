@@ -37,5 +37,6 @@ namespace solid
 
   /// Correct the velocities v = (p + dt f)/m of free nodes lighter than `least` and of those behind
   /// them, before supports hold any. The same bits for any number of threads.
-  void follow(LightNodes &, const Supports &, Grid &, double least, double dt, int threads);
+  void tie_light_nodes(LightNodes &, const Supports &, Grid &, double least, double dt,
+                       int threads);
 } // namespace solid

@@ -127,7 +127,7 @@ namespace solid
         const std::ptrdiff_t n = grid.at(s.i - 1 + k % 3, s.j - 1 + k / 3);
         const Point part = share[k] / sum * force;
         grid.nodes[n].motion += Quad{0., part[0], 0., part[1]};
-        loads.pushes.push_back({n, part});
+        loads.nodal_forces.push_back({n, part});
       }
       return sum > 0.;
     }
@@ -140,10 +140,11 @@ namespace solid
     }
   } // namespace
 
-  void push(Loads &loads, const Tracers &tracers, const Points &points, const Scheme &scheme,
-            const FoldTable &table, Grid &grid, const double inverse_density, const double t)
+  void apply_tractions(Loads &loads, const Tracers &tracers, const Points &points,
+                       const Scheme &scheme, const FoldTable &table, Grid &grid,
+                       const double inverse_density, const double t)
   {
-    loads.pushes.clear(), loads.parted.reset();
+    loads.nodal_forces.clear(), loads.parted.reset();
     std::fill(loads.on_grips.begin(), loads.on_grips.end(), Point(0., 0.));
     if (loads.tractions.empty())
       return;
@@ -177,9 +178,9 @@ namespace solid
       }
   }
 
-  void book_work(Loads &loads, const Grid &grid, const double dt)
+  void add_traction_work(Loads &loads, const Grid &grid, const double dt)
   {
-    for (const Loads::Push &push : loads.pushes)
+    for (const Loads::NodalForce &push : loads.nodal_forces)
     {
       const Velocity &v = grid.velocity[push.node];
       const double work = dt * (push.force[0] * v.x + push.force[1] * v.y);
@@ -187,7 +188,7 @@ namespace solid
     }
   }
 
-  void book_body_work(Loads &loads, const Points &points, const double dt)
+  void add_body_force_work(Loads &loads, const Points &points, const double dt)
   {
     if (!loads.body_force)
       return;

@@ -25,13 +25,13 @@ namespace solid
   struct Loads
   {
     std::vector<Load> tractions;
-    struct Push
+    struct NodalForce
     {
       std::ptrdiff_t node;
       Point force;
     };
-    std::vector<Push> pushes;    // of this step, for their work
-    std::vector<Point> on_grips; // forces of this step that rigid grips take, by grip
+    std::vector<NodalForce> nodal_forces; // of this step, for their work
+    std::vector<Point> on_grips;          // forces of this step that rigid grips take, by grip
     EdgeShares shares;
     std::optional<Point> parted; // where a loaded edge started that no material is near any more
     std::optional<std::array<scene::Function, 2>> body_force;
@@ -48,11 +48,11 @@ namespace solid
   void evaluate_body_force(Loads &, const Points &, const Fraction &, double t);
 
   /// Add the tractions at time t to the nodal forces.
-  void push(Loads &, const Tracers &, const Points &, const Scheme &, const FoldTable &, Grid &,
-            double inverse_density, double t);
+  void apply_tractions(Loads &, const Tracers &, const Points &, const Scheme &, const FoldTable &,
+                       Grid &, double inverse_density, double t);
 
-  /// Book the work of tractions over dt with the new nodal velocities.
-  void book_work(Loads &, const Grid &, double dt);
-  /// Book the work of body forces over dt with the points' new velocities.
-  void book_body_work(Loads &, const Points &, double dt);
+  /// Add the work of tractions over dt with the new nodal velocities.
+  void add_traction_work(Loads &, const Grid &, double dt);
+  /// Add the work of body forces over dt with the points' new velocities.
+  void add_body_force_work(Loads &, const Points &, double dt);
 } // namespace solid

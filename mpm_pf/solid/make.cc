@@ -4,9 +4,9 @@
 #include "scene/geometry.h"
 #include "scene/reader.h"
 #include "scene/value.h"
+#include "solid/area_budget.h"
 #include "solid/body.h"
 #include "solid/energy.h"
-#include "solid/ledger.h"
 #include "solid/seeding.h"
 #include "solid/splitting.h"
 
@@ -14,7 +14,7 @@ namespace solid
 {
   namespace
   {
-    [[noreturn]] void refuse(const scene::Place &place, const std::string &cause)
+    [[noreturn]] void refuse(const scene::SourceLocation &place, const std::string &cause)
     {
       throw scene::BadScene(place.file + ":" + std::to_string(place.line) + ": " + cause);
     }
@@ -88,7 +88,7 @@ namespace solid
     for (double &mass : solid.points.mass)
       mass *= solid.material.density_scale;
     square_edges(solid.points, solid.material.density, 0);
-    begin_account(solid);
+    start_energy_account(solid);
     solid.bin = scene::default_bin(scene);
     return owner;
   }

@@ -18,7 +18,7 @@ namespace solid
   /// Walls move from position - velocity dt to position during the coming advance(solid, dt). To be
   /// called before every advance of a scene with walls. Throws std::out_of_range for a side on
   /// which the scene has no wall.
-  void follow_walls(Solid &, const std::vector<WallMotion> &, double dt);
+  void set_wall_motions(Solid &, const std::vector<WallMotion> &, double dt);
 
   /// Name of its reaction: "wall left", "wall right", "wall bottom" or "wall top".
   std::string wall_name(scene::Edge);

@@ -43,8 +43,8 @@ namespace solid
 
     /// What samples at these positions take into account: quantities are not computed elsewhere, so
     /// that a point does not cost what a snapshot does.
-    Chosen near(const Solid &solid, const std::vector<Point> &positions, const Frame frame,
-                const double bin)
+    PointSelection near(const Solid &solid, const std::vector<Point> &positions, const Frame frame,
+                        const double bin)
     {
       scene::Box box{positions.front(), positions.front()};
       for (const Point &x : positions)
@@ -97,7 +97,7 @@ namespace solid
                                    const std::vector<std::string> &of)
   {
     const double tolerance = 1e-9 * solid.grid.dx;
-    Chosen inside;
+    PointSelection inside;
     std::vector<double> weight;
     double area = 0.;
     for (std::size_t p = 0; p < solid.points.size(); ++p)
@@ -137,7 +137,7 @@ namespace solid
     std::vector<std::string> names = of;
     if (names.empty())
       names.assign(scene::solid_quantities.begin(), scene::solid_quantities.end());
-    const Chosen all = all_points(solid);
+    const PointSelection all = all_points(solid);
     for (const std::string &name : names)
       taken.fields[name] = field(solid, name, all);
     return taken;

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "solid/area_budget.h"
 #include "solid/energy.h"
-#include "solid/ledger.h"
 
 namespace solid
 {
@@ -19,8 +19,8 @@ namespace solid
       const std::size_t p = insert_point(solid, at, solid.material.density * area);
       solid.points.vx[p] = v[0], solid.points.vy[p] = v[1];
       solid.energy.start += kinetic_energy_of(solid.points, p);
-      Ledger &ledger = solid.growing->ledger;
-      ledger.seeded += area, ++ledger.seeded_points;
+      AreaBudget &budget = solid.growing->budget;
+      budget.seeded += area, ++budget.seeded_points;
     }
 
     // On the contour in the cell, or in the middle of a cell that became solid as a whole. Where
@@ -49,7 +49,7 @@ namespace solid
     }
 
     // Cells in which points answer for a debt. Where nothing solid is left the debts of many cells
-    // have been gathered in one (ledger.cc), and its points may stand further away.
+    // have been gathered in one (area_budget.cc), and its points may stand further away.
     int melting_reach(const medium::CellValue &debt, const medium::CellAreas &areas,
                       const Grid &grid)
     {
@@ -156,7 +156,7 @@ namespace solid
     }
   } // namespace
 
-  void melt_back(Solid &solid, const medium::CellAreas &areas)
+  void remove_melted_points(Solid &solid, const medium::CellAreas &areas)
   {
     Growing &growing = *solid.growing;
     const Buckets buckets = points_near(solid, areas);
@@ -180,14 +180,14 @@ namespace solid
           const double elastic = elastic_energy_of(solid, p);
           solid.energy.start -= kinetic_energy_of(solid.points, p) + elastic;
           solid.energy.elastic_start -= elastic;
-          growing.ledger.removed += area, ++growing.ledger.removed_points;
+          growing.budget.removed += area, ++growing.budget.removed_points;
         }
       }
     std::sort(removed.begin(), removed.end());
     erase_points(solid, removed);
   }
 
-  void before_growth(Solid &solid, const Crystal &crystal)
+  void begin_growth(Solid &solid, const Crystal &crystal)
   {
     if (solid.growing)
       solid.growing->map.measure(crystal.phi, crystal.mesh, crystal.between_walls);
@@ -201,14 +201,14 @@ namespace solid
     const medium::CellValues change =
         growing.map.change(crystal.phi, crystal.mesh, crystal.between_walls);
     for (const medium::CellValue &cell : change)
-      (cell.value > 0. ? growing.ledger.grown : growing.ledger.melted) += std::abs(cell.value);
+      (cell.value > 0. ? growing.budget.grown : growing.budget.melted) += std::abs(cell.value);
     growing.owed = merged(growing.owed, change);
     const medium::CellAreas areas(crystal.phi, crystal.mesh, crystal.between_walls);
-    hand_over(growing.owed, areas, solid.grid.cells);
+    transfer_owed_area(growing.owed, areas, solid.grid.cells);
     const double least = least_share * solid.grid.dx * solid.grid.dx;
     if (!worth_it(solid, areas, least))
       return;
-    melt_back(solid, areas);
+    remove_melted_points(solid, areas);
     for (medium::CellValue &debt : growing.owed)
       if (debt.value >= least)
         seed_cell(solid, areas, debt);

@@ -13,9 +13,9 @@ namespace solid
 {
   namespace
   {
-    using Place = scene::Place;
+    using SourceLocation = scene::SourceLocation;
 
-    [[noreturn]] void refuse(const Place &place, const std::string &cause)
+    [[noreturn]] void refuse(const SourceLocation &place, const std::string &cause)
     {
       throw scene::BadScene(place.file + ":" + std::to_string(place.line) + ": body " + cause);
     }
@@ -226,8 +226,8 @@ namespace solid
       for (std::size_t p = begin; p < points.size(); ++p)
       {
         const Point X = fraction.initial(points, p);
-        if (bodies.size() > 1 && scene::signed_distance(body, X) <
-                                     scene::signed_distance(bodies, X) - 1e-9 * h)
+        if (bodies.size() > 1 &&
+            scene::signed_distance(body, X) < scene::signed_distance(bodies, X) - 1e-9 * h)
           continue;
         const scene::Argument at{X, X, 0.};
         points.vx[p] = vx(at), points.vy[p] = vy(at);
@@ -267,7 +267,7 @@ namespace solid
     else
       fill(points, fraction, scene.bodies, lattice, material.density);
     if (points.size() == 0)
-      refuse(scene.bodies.empty() ? Place{} : scene.bodies[0].place,
+      refuse(scene.bodies.empty() ? SourceLocation{} : scene.bodies[0].place,
              "without a material point: it is smaller than a point's share of a cell; refine "
              "domain.cells");
     initialise(points, fraction, 0, scene.bodies, 1e-4 * scene.domain.spacing()[0]);

@@ -26,9 +26,9 @@ namespace solid
   using scene::Point;
 
   /// Numerical trouble: step, time and place are in the message and at hand. Exit code 3.
-  struct Trouble : std::runtime_error
+  struct NumericalError : std::runtime_error
   {
-    Trouble(const std::string &cause, long step, double time, const Point &place);
+    NumericalError(const std::string &cause, long step, double time, const Point &place);
     long step;
     double time;
     Point place;
@@ -59,8 +59,8 @@ namespace solid
   };
 
   /// Move by dt, in as many equal steps as the limit asks. If `mean` is given it is filled with the
-  /// mean nodal velocity. Throws Trouble: not finite, energy from nothing, a point out of the mesh
-  /// or turned inside out.
+  /// mean nodal velocity. Throws NumericalError: not finite, energy from nothing, a point out of
+  /// the mesh or turned inside out.
   void advance(Solid &, double dt, NodalVelocity *mean = nullptr);
 
   double time(const Solid &);

@@ -89,7 +89,7 @@ namespace solid
 
     /// Notes what each wall touches, before any line gives its nodes another velocity.
     void note_touched(Supports &supports, const Grid &grid, const double t, const double dt,
-                      const bool book)
+                      const bool count_reaction)
     {
       for (std::size_t l = 0; l < supports.lines.size(); ++l)
       {
@@ -106,7 +106,7 @@ namespace solid
                           const bool sticks = !line.stuck.empty() && line.stuck[k];
                           line.touched[k] = touches(line, fold, grid, i, j, n, v, sticks);
                         });
-        if (book && !line.stuck.empty())
+        if (count_reaction && !line.stuck.empty())
           line.stuck = line.touched;
       }
     }
@@ -125,8 +125,8 @@ namespace solid
       return !other.contact || other.touched[other.index(i, j)];
     }
 
-    void hold_line(Supports &supports, const HeldLine &line, const Fold &fold, Grid &grid,
-                   const double t, const double dt, const bool book)
+    void apply_line(Supports &supports, const HeldLine &line, const Fold &fold, Grid &grid,
+                    const double t, const double dt, const bool count_reaction)
     {
       Support *const support = line.support < 0 ? nullptr : &supports.all[line.support];
       const bool uniform = !support || support->motion.uniform;
@@ -147,7 +147,7 @@ namespace solid
                         std::array<bool, 2> held = line.held;
                         if (held[1 - line.axis] && crossed(supports, line, grid, i, j, n))
                           held[1 - line.axis] = false; // the other's push is not ours to undo
-                        give(supports, support, grid, n, held, v, book);
+                        set_velocity(supports, support, grid, n, held, v, count_reaction);
                       });
     }
 
@@ -158,7 +158,7 @@ namespace solid
       double dt;
       Point impulse;
       double work;
-      void charge(const Points &points, const std::size_t p, const Acceleration &acceleration)
+      void add_reaction(const Points &points, const std::size_t p, const Acceleration &acceleration)
       {
         const Point before(points.vx[p], points.vy[p]);
         const Point push = dt * points.mass[p] * acceleration.at(p);
@@ -169,8 +169,8 @@ namespace solid
     };
   } // namespace
 
-  void give(Supports &supports, Support *support, Grid &grid, const std::ptrdiff_t n,
-            const std::array<bool, 2> &held, const Point &v, const bool book)
+  void set_velocity(Supports &supports, Support *support, Grid &grid, const std::ptrdiff_t n,
+                    const std::array<bool, 2> &held, const Point &v, const bool count_reaction)
   {
     Node &node = grid.nodes[n];
     const double mass = grid.mass[n];
@@ -187,7 +187,7 @@ namespace solid
         node.motion[2 * c] = mass * v[c];
       }
     velocity = {now[0], now[1]};
-    if (!support || !book)
+    if (!support || !count_reaction)
       return;
     support->impulse += impulse, support->call_impulse += impulse;
     supports.work += impulse.dot(v), supports.work_done += std::abs(impulse.dot(v));
@@ -205,7 +205,7 @@ namespace solid
     return u;
   }
 
-  void place(Supports &supports, const Tracers &tracers, Grid &grid, const double t)
+  void place_supports(Supports &supports, const Tracers &tracers, Grid &grid, const double t)
   {
     for (const std::ptrdiff_t n : supports.marked)
       if (n < static_cast<std::ptrdiff_t>(grid.fold.size()))
@@ -223,22 +223,23 @@ namespace solid
                         { mark(supports, grid, n, line.axis, static_cast<int>(l)); });
     }
     if (!supports.edges.empty())
-      place_edges(supports, tracers, grid);
+      locate_turning_edges(supports, tracers, grid);
   }
 
-  void hold(Supports &supports, Grid &grid, const double t, const double dt, const bool book)
+  void apply_supports(Supports &supports, Grid &grid, const double t, const double dt,
+                      const bool count_reaction)
   {
     if (!supports.driven.empty())
-      hold_driven(supports, grid, book);
+      apply_driven_regions(supports, grid, count_reaction);
     if (!supports.edges.empty())
-      hold_edges(supports, grid, t, dt, book);
-    note_touched(supports, grid, t, dt, book);
+      apply_turning_edges(supports, grid, t, dt, count_reaction);
+    note_touched(supports, grid, t, dt, count_reaction);
     for (std::size_t l = 0; l < supports.lines.size(); ++l)
-      hold_line(supports, supports.lines[l], supports.folds.lines[l], grid, t, dt, book);
+      apply_line(supports, supports.lines[l], supports.folds.lines[l], grid, t, dt, count_reaction);
   }
 
-  void carry(Supports &supports, Points &points, Tracers &tracers, const Fraction &fraction,
-             Loads &loads, const double t, const double dt)
+  void move_held_points(Supports &supports, Points &points, Tracers &tracers,
+                        const Fraction &fraction, Loads &loads, const double t, const double dt)
   {
     for (Support &support : supports.all)
       support.displacement = support.motion.at(support.middle, support.middle, t + dt);
@@ -255,7 +256,7 @@ namespace solid
       for (std::size_t p = points.active; p < points.size(); ++p)
         if ((points.regions[p] & (1u << grip.region)) && !(points.regions[p] & later))
         {
-          account.charge(points, p, loads.acceleration);
+          account.add_reaction(points, p, loads.acceleration);
           const Point X = fraction.initial(points, p);
           points.x[p] = X[0] + u[0], points.y[p] = X[1] + u[1];
           points.vx[p] = v[0], points.vy[p] = v[1];
@@ -268,7 +269,7 @@ namespace solid
           if (tracer.grip == static_cast<int>(g))
             tracer.x = tracer.X + u;
     }
-    carry_driven(supports, points);
-    carry_edges(supports, tracers, t + dt);
+    move_driven_points(supports, points);
+    move_turning_edges(supports, tracers, t + dt);
   }
 } // namespace solid

@@ -52,7 +52,7 @@ namespace solid
   struct Support
   {
     std::string name;
-    scene::Place place;
+    scene::SourceLocation place;
     Motion motion;
     Point middle = Point::Zero();       // of what it holds, initially
     std::vector<Point> corners;         // of what it holds, initially
@@ -195,32 +195,35 @@ namespace solid
   Supports make_supports(const scene::Scene &, Points &, Tracers &);
 
   /// Lines to where they are at time t, and the folds into the grid.
-  void place(Supports &, const Tracers &, Grid &, double t);
+  void place_supports(Supports &, const Tracers &, Grid &, double t);
 
   /// What driven points are to do over [t, t + dt], by point and for the nodes around them, and
-  /// their parts of the nodes; what it takes, if `book`, else the forces were left out.
+  /// their parts of the nodes; what it takes, if `count_reaction`, else the forces were left out.
   void prescribe(Supports &, const Scheme &, const Points &, const Fraction &, const Acceleration &,
-                 double inverse_density, const Grid &, double t, double dt, bool book = true);
+                 double inverse_density, const Grid &, double t, double dt,
+                 bool count_reaction = true);
 
-  /// Node velocities after forces to what supports ask for over [t, t + dt]; reactions, if `book`.
-  void hold(Supports &, Grid &, double t, double dt, bool book = true);
+  /// Node velocities after forces to what supports ask for over [t, t + dt]; reactions, if
+  /// `count_reaction`.
+  void apply_supports(Supports &, Grid &, double t, double dt, bool count_reaction = true);
 
   /// Give a node the velocity v in the held components; the momentum that takes is the reaction.
-  void give(Supports &, Support *, Grid &, std::ptrdiff_t node, const std::array<bool, 2> &held,
-            const Point &v, bool book);
+  void set_velocity(Supports &, Support *, Grid &, std::ptrdiff_t node,
+                    const std::array<bool, 2> &held, const Point &v, bool count_reaction);
 
   /// Points and tracers with prescribed positions to time t + dt, and what that takes of a rigid
   /// grip: its points' momentum and the loads on them.
-  void carry(Supports &, Points &, Tracers &, const Fraction &, Loads &, double t, double dt);
+  void move_held_points(Supports &, Points &, Tracers &, const Fraction &, Loads &, double t,
+                        double dt);
 
   /// The nodes near turning edges and what they are tied to; their velocities over [t, t + dt]; the
   /// tracers of the edges to where they belong at time t.
-  void place_edges(Supports &, const Tracers &, const Grid &);
-  void hold_edges(Supports &, Grid &, double t, double dt, bool book);
-  void carry_edges(const Supports &, Tracers &, double t);
+  void locate_turning_edges(Supports &, const Tracers &, const Grid &);
+  void apply_turning_edges(Supports &, Grid &, double t, double dt, bool count_reaction);
+  void move_turning_edges(const Supports &, Tracers &, double t);
 
   /// The nodes in and around driven boxes, see driven_sides.cc.
-  void hold_driven(Supports &, Grid &, bool book);
+  void apply_driven_regions(Supports &, Grid &, bool count_reaction);
 
   /// Driven points among [begin, end) move and strain as prescribed, not as the nodes that they
   /// share with others.
@@ -228,7 +231,7 @@ namespace solid
                           std::size_t end);
 
   /// Driven points to where they belong at the step's end.
-  void carry_driven(const Supports &, Points &);
+  void move_driven_points(const Supports &, Points &);
 
   /// Sides of the support's box beyond which there is material that no other box holds as well,
   /// [axis][upper].

@@ -119,18 +119,18 @@ namespace solid
 
     // The velocity of a node in the edge's component; the momentum that takes is the reaction.
     void set(Supports &supports, const TurningEdge &edge, Grid &grid, const std::ptrdiff_t n,
-             const double v, const bool book)
+             const double v, const bool count_reaction)
     {
       const Velocity now = grid.velocity[n];
       const int c = edge.component();
       std::array<bool, 2> held{false, false};
       held[c] = true;
-      give(supports, &supports.all[edge.line.support], grid, n, held,
-           c == 0 ? Point(v, now.y) : Point(now.x, v), book);
+      set_velocity(supports, &supports.all[edge.line.support], grid, n, held,
+                   c == 0 ? Point(v, now.y) : Point(now.x, v), count_reaction);
     }
   } // namespace
 
-  void place_edges(Supports &supports, const Tracers &tracers, const Grid &grid)
+  void locate_turning_edges(Supports &supports, const Tracers &tracers, const Grid &grid)
   {
     supports.tied.assign(grid.nodes.size(), 0);
     if (supports.listed.size() != grid.nodes.size())
@@ -151,7 +151,8 @@ namespace solid
     }
   }
 
-  void hold_edges(Supports &supports, Grid &grid, const double t, const double dt, const bool book)
+  void apply_turning_edges(Supports &supports, Grid &grid, const double t, const double dt,
+                           const bool count_reaction)
   {
     for (TurningEdge &edge : supports.edges)
     {
@@ -188,13 +189,13 @@ namespace solid
           set(supports, edge, grid, node.node,
               node.prescribed +
                   (node.master < 0 ? 0. : node.ratio * excess(edge.nodes[node.master])),
-              book);
+              count_reaction);
         else if (node.mass > 0.)
-          set(supports, edge, grid, node.node, node.prescribed + excess(node), book);
+          set(supports, edge, grid, node.node, node.prescribed + excess(node), count_reaction);
     }
   }
 
-  void carry_edges(const Supports &supports, Tracers &tracers, const double t)
+  void move_turning_edges(const Supports &supports, Tracers &tracers, const double t)
   {
     for (const TurningEdge &edge : supports.edges)
       for (auto &outline : tracers.outlines)

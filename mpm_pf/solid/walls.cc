@@ -95,7 +95,7 @@ namespace solid
     }
   }
 
-  void follow_walls(Solid &solid, const std::vector<WallMotion> &walls, const double dt)
+  void set_wall_motions(Solid &solid, const std::vector<WallMotion> &walls, const double dt)
   {
     for (const WallMotion &wall : walls)
     {

@@ -45,7 +45,7 @@ TEST(Newton, ConvergesQuadraticallyInPlasticFlow)
   const auto observe = [&](const fe::Step &step)
   {
     const std::vector<double> &r = step.newton.residuals;
-    if (step.pace.steps < 10 || r.size() < 2)
+    if (step.stepping.steps < 10 || r.size() < 2)
       return;
     ++plastic_steps;
     // r_{k+1} = C r_k^2: the last decade pair more than halves the exponent.
@@ -73,7 +73,7 @@ TEST(Newton, TakesABodyWithoutLoadForOneInEquilibrium)
     const fe::Problem problem = fe_test::problem_of(scene);
     const fe::Outcome outcome = solve(scene, problem);
     ASSERT_EQ(outcome.kind, fe::Outcome::Kind::complete) << poisson_ratio << outcome.message;
-    EXPECT_EQ(outcome.pace.steps, 4);
+    EXPECT_EQ(outcome.stepping.steps, 4);
   }
 }
 
@@ -118,7 +118,7 @@ TEST(Strip, LoadReversalIsFollowedWithoutSmallerSteps)
   const fe::Problem problem = fe_test::problem_of(scene);
   const fe::Outcome outcome = solve(scene, problem);
   ASSERT_EQ(outcome.kind, fe::Outcome::Kind::complete);
-  EXPECT_EQ(outcome.pace.steps, 40);
+  EXPECT_EQ(outcome.stepping.steps, 40);
   EXPECT_LT(outcome.last.points.front().stress[fe::yy], -6e4); // compressed after plastic tension
 }
 
@@ -237,12 +237,12 @@ TEST(Energies, ExternalWorkIsStoredOrDissipated)
   const scene::Scene scene = sheared_bar(2, 200);
   const fe::Problem problem = fe_test::problem_of(scene);
   const fe::Outcome outcome = solve(scene, problem);
-  const fe::Energies &energies = outcome.pace.energies;
+  const fe::Energies &energies = outcome.stepping.energies;
   EXPECT_GT(energies.plastic, 10. * energies.elastic);
   EXPECT_NEAR((energies.elastic + energies.plastic) / energies.external, 1., 2e-3);
 }
 
-TEST(Trouble, ImpossibleLoadSaysTimePlaceAndRemedy)
+TEST(NumericalError, ImpossibleLoadSaysTimePlaceAndRemedy)
 {
   // The ends of the bar are driven through each other: no equilibrium can be found to the end.
   scene::Scene scene = fe_test::solid_scene(1e6, {1, 2}, 2, 20);

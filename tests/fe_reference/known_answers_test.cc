@@ -147,6 +147,6 @@ TEST(LoadSteps, ShrinkWhereNewtonFailsAndGoOnToTheEnd)
   const fe::Outcome outcome = solve(scene, problem);
   ASSERT_EQ(outcome.kind, fe::Outcome::Kind::complete);
   EXPECT_DOUBLE_EQ(outcome.last.time, 1.);
-  EXPECT_GT(outcome.pace.retries, 0);
-  EXPECT_GT(outcome.pace.steps, 2);
+  EXPECT_GT(outcome.stepping.retries, 0);
+  EXPECT_GT(outcome.stepping.steps, 2);
 }

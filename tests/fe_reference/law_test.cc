@@ -88,7 +88,7 @@ TEST(PolarDecomposition, DerivativesMatchDifferences)
 TEST(RadialReturn, LeavesElasticStateBelowYield)
 {
   const Vector4 trial(0.1, -0.1, 0.05, 0.1);
-  const fe::Returned returned = fe::return_to_yield(plastic(), trial, 1.);
+  const fe::ReturnMappingResult returned = fe::return_to_yield(plastic(), trial, 1.);
   EXPECT_EQ(returned.plastic_increment, 0.);
   EXPECT_EQ((returned.stress - trial).norm(), 0.);
 }
@@ -96,7 +96,7 @@ TEST(RadialReturn, LeavesElasticStateBelowYield)
 TEST(RadialReturn, EndsOnTheYieldSurfaceAndKeepsPressure)
 {
   const Vector4 trial(3., -1., 0.5, 2.);
-  const fe::Returned returned = fe::return_to_yield(plastic(), trial, 1.);
+  const fe::ReturnMappingResult returned = fe::return_to_yield(plastic(), trial, 1.);
   EXPECT_NEAR(fe::von_mises(returned.stress), 0.4, 1e-15);
   EXPECT_NEAR(returned.stress.head<3>().sum(), trial.head<3>().sum(), 1e-14);
 }
@@ -106,7 +106,8 @@ TEST(PerzynaReturn, OverstressIsViscosityTimesRate)
   fe::Material material = plastic();
   material.viscosity = 3.;
   const double dt = 0.02;
-  const fe::Returned returned = fe::return_to_yield(material, Vector4(3., -1., 0.5, 2.), dt);
+  const fe::ReturnMappingResult returned =
+      fe::return_to_yield(material, Vector4(3., -1., 0.5, 2.), dt);
   // Eq. (6) at the end of the step: q = sigma_Y + eta dgamma/dt.
   EXPECT_NEAR(fe::von_mises(returned.stress), 0.4 + 3. * returned.plastic_increment / dt, 1e-13);
 }

@@ -65,7 +65,7 @@ TEST(OutlineMesh, KeepsAStraightEdgeUpToTheFilletsBesideIt)
       const scene::Scene scene = block_on_its_base(filleted_block(radius, 16), {2 * cells, cells});
       const fe::QuadMesh mesh = fe::make_mesh(scene);
       EXPECT_NEAR(length_on_top(mesh), 2. - 2. * radius, 1e-9) << radius << ' ' << cells;
-      EXPECT_NEAR(fe::filled(scene, mesh), 1., 1e-3) << radius << ' ' << cells;
+      EXPECT_NEAR(fe::filled_fraction(scene, mesh), 1., 1e-3) << radius << ' ' << cells;
     }
 }
 
@@ -75,7 +75,7 @@ TEST(OutlineMesh, KeepsChamfersSmallerThanItsCells)
       {{0., 0.}, {2., 0.}, {2., 0.98}, {1.98, 1.}, {0.02, 1.}, {0., 0.98}}, {20, 10});
   const fe::QuadMesh mesh = fe::make_mesh(scene);
   EXPECT_NEAR(length_on_top(mesh), 1.96, 1e-9);
-  EXPECT_NEAR(fe::filled(scene, mesh), 1., 1e-9);
+  EXPECT_NEAR(fe::filled_fraction(scene, mesh), 1., 1e-9);
 }
 
 // An end of a load on a fillet, where the outline is curved, is a vertex too.

@@ -17,7 +17,8 @@ namespace
   {
     Body body;
     body.mesh = fe::discretise(fe::make_mesh(scene), scene.fe->degree);
-    body.piece = fe::pieces(body.mesh.nodes, body.mesh.cell_node, body.mesh.nodes_per_cell);
+    body.piece =
+        fe::connected_pieces(body.mesh.nodes, body.mesh.cell_node, body.mesh.nodes_per_cell);
     return body;
   }
 
@@ -56,18 +57,18 @@ TEST(Overlap, EndsTheMarchWithAWord)
   const scene::Scene scene = punch_above_block();
   const fe::Problem problem = fe_test::problem_of(scene);
   const std::vector<int> piece =
-      fe::pieces(problem.mesh.nodes, problem.mesh.cell_node, problem.mesh.nodes_per_cell);
+      fe::connected_pieces(problem.mesh.nodes, problem.mesh.cell_node, problem.mesh.nodes_per_cell);
   fe::LinearSystem system(problem.mesh);
   std::string overlap;
-  fe::Course course;
-  course.end = 1.;
-  course.load_steps = 10;
-  course.observe = [&](const fe::Step &step)
+  fe::SteppingOptions options;
+  options.end = 1.;
+  options.load_steps = 10;
+  options.observe = [&](const fe::Step &step)
   { overlap = overlap_of_pieces(problem.mesh, piece, step.state.u) ? "in each other" : ""; };
-  course.interrupted = [] { return false; };
-  course.refused = [&] { return overlap; };
+  options.interrupted = [] { return false; };
+  options.refused = [&] { return overlap; };
   const fe::Outcome outcome =
-      fe::follow(problem, system, fe::initial_state(problem, scene), course);
+      fe::run_load_steps(problem, system, fe::initial_state(problem, scene), options);
   EXPECT_EQ(outcome.kind, fe::Outcome::Kind::diverged);
   EXPECT_EQ(outcome.message, "in each other");
   EXPECT_NEAR(outcome.last.time, 0.3, 1e-9); // 0.12 of the gap of 0.1

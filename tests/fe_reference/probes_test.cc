@@ -1,4 +1,4 @@
-// What probes see of the deformed body.
+// What probes report of the deformed body.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -36,7 +36,7 @@ class Probes : public ::testing::TestWithParam<int>
 TEST_P(Probes, FindPointsInTheDeformedBodyAndMissThoseOutside)
 {
   const Stretched s = stretched(GetParam());
-  const fe::Snapshot body = fe::look(s.problem, s.outcome.last, s.outcome.last);
+  const fe::Snapshot body = fe::make_snapshot(s.problem, s.outcome.last, s.outcome.last);
   // x = 1.75 came from X = 0.5: displacement 1.25.
   const auto values = fe::values_at(body, {1.75, 0.3}, scene::Frame::current,
                                     {"displacement_x", "log_strain_xx", "jacobian"});
@@ -59,7 +59,7 @@ TEST_P(Probes, FindMaterialPointsOnACurvedOutline)
       fe_test::support("all", scene::Box{{-1., -1.}, {1., 1.}}, "t*(1 + 0.5*X)", "0")};
   const fe::Problem problem = fe_test::problem_of(scene);
   const fe::Outcome outcome = fe_test::solve(scene, problem);
-  fe::Snapshot body = fe::look(problem, outcome.last, outcome.last);
+  fe::Snapshot body = fe::make_snapshot(problem, outcome.last, outcome.last);
   body.starts_in = [](const fe::Point &X) { return X.norm() < 1. + 1e-9; };
   for (int k = 0; k < 100; ++k)
   {
@@ -74,7 +74,7 @@ TEST_P(Probes, FindMaterialPointsOnACurvedOutline)
 TEST_P(Probes, LineSaysWhereThereIsNoMaterial)
 {
   const Stretched s = stretched(GetParam());
-  const fe::Snapshot body = fe::look(s.problem, s.outcome.last, s.outcome.last);
+  const fe::Snapshot body = fe::make_snapshot(s.problem, s.outcome.last, s.outcome.last);
   scene::LineProbe line;
   line.a = {0., 0.5};
   line.b = {3., 0.5};
@@ -98,7 +98,7 @@ namespace
   /// The end of the stretch, with a plastic strain that is the current x of its point.
   fe::Snapshot with_strain_linear_in_x(const Stretched &s)
   {
-    fe::Snapshot body = fe::look(s.problem, s.outcome.last, s.outcome.last);
+    fe::Snapshot body = fe::make_snapshot(s.problem, s.outcome.last, s.outcome.last);
     const fe::Discretisation &d = s.problem.mesh;
     for (int cell = 0; cell < d.cells; ++cell)
       for (int q = 0; q < d.points_per_cell; ++q)
@@ -146,7 +146,7 @@ TEST_P(Probes, APointAveragesOverItsBinAsALineDoes)
 TEST_P(Probes, RegionMeansAndOutlineAgreeOnTheArea)
 {
   const Stretched s = stretched(GetParam());
-  const fe::Snapshot body = fe::look(s.problem, s.outcome.last, s.outcome.last);
+  const fe::Snapshot body = fe::make_snapshot(s.problem, s.outcome.last, s.outcome.last);
   const auto means = fe::region_means(body, {}, {"area", "jacobian"});
   EXPECT_NEAR(means[0], 1.5, 1e-12);
   EXPECT_NEAR(means[1], 1.5, 1e-12);
@@ -165,7 +165,7 @@ TEST_P(Probes, RegionMeansAndOutlineAgreeOnTheArea)
 TEST_P(Probes, SnapshotHoldsElementMeansOfEveryCell)
 {
   const Stretched s = stretched(GetParam());
-  const fe::Snapshot body = fe::look(s.problem, s.outcome.last, s.outcome.last);
+  const fe::Snapshot body = fe::make_snapshot(s.problem, s.outcome.last, s.outcome.last);
   const record::Snapshot snapshot = fe::cell_snapshot(body, {"jacobian", "area"});
   EXPECT_EQ(snapshot.kind, record::Snapshot::Kind::cells);
   EXPECT_EQ(snapshot.vertex.size(), 25u);

@@ -70,17 +70,17 @@ namespace fe_test
                            const std::vector<double> &sampling_times = {})
   {
     fe::LinearSystem system(problem.mesh);
-    fe::Course course;
-    course.end = scene.clock.end;
-    course.load_steps = scene.fe->load_steps;
-    course.sampling_times = sampling_times;
-    course.observe = [&](const fe::Step &step)
+    fe::SteppingOptions options;
+    options.end = scene.clock.end;
+    options.load_steps = scene.fe->load_steps;
+    options.sampling_times = sampling_times;
+    options.observe = [&](const fe::Step &step)
     {
       if (observe)
         observe(step);
     };
-    course.interrupted = [] { return false; };
-    return fe::follow(problem, system, fe::initial_state(problem, scene), course);
+    options.interrupted = [] { return false; };
+    return fe::run_load_steps(problem, system, fe::initial_state(problem, scene), options);
   }
 
   /// Sum of the reactions of support number `index` in direction `component`.

@@ -47,7 +47,7 @@ TEST(Supports, PinsCarryNoForce)
   EXPECT_EQ(outcome.kind, fe::Outcome::Kind::diverged);
   EXPECT_NE(outcome.message.find("nothing holds the body in y"), std::string::npos)
       << outcome.message;
-  EXPECT_EQ(outcome.pace.retries, 1) << "no smaller increment helps";
+  EXPECT_EQ(outcome.stepping.retries, 1) << "no smaller increment helps";
 }
 
 // What is left over of two loads in balance is no net force.

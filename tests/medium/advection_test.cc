@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "medium/numerical_error.h"
 #include "medium/sums.h"
-#include "medium/trouble.h"
 
 namespace
 {
@@ -227,7 +227,7 @@ TEST(Advection, RefusesAShiftBeyondItsStability)
     advection.advect(f, gradients, velocity, 0.6 / 16);
     FAIL() << "it was carried too far";
   }
-  catch (const medium::NumericalTrouble &trouble)
+  catch (const medium::NumericalError &trouble)
   {
     EXPECT_NE(std::string(trouble.what()).find("shifts the field by 0.6 cells"), std::string::npos)
         << trouble.what();

@@ -59,7 +59,7 @@ namespace medium
     {
       const Mesh mesh = box_mesh(20 << level);
       Distance distance(mesh, 3 << level);
-      measure(distance, phase_field(mesh, 0.1, circle), mesh);
+      compute_distance(distance, phase_field(mesh, 0.1, circle), mesh);
       error[level] = largest_error(mesh, distance, circle);
     }
     EXPECT_LT(error[1], 1e-3 * 0.05);
@@ -78,7 +78,7 @@ namespace medium
       Field<double> phi = phase_field(mesh, width * h, circle);
       for (int call = 0; call < 10; ++call) // and it does not drift when repeated
       {
-        measure(distance, phi, mesh);
+        compute_distance(distance, phi, mesh);
         phi = phase_field(mesh, 1., [](const Point &) { return 0.; });
         for (int j = 0; j < mesh.nodes[1]; ++j)
           for (int i = 0; i < mesh.nodes[0]; ++i)
@@ -98,7 +98,7 @@ namespace medium
       return std::max(0.3 - (x - Point(-0.4, 0.03)).norm(), 0.25 - (x - Point(0.41, -0.02)).norm());
     };
     Distance distance(mesh, 20.);
-    measure(distance, phase_field(mesh, 0.05, two), mesh);
+    compute_distance(distance, phase_field(mesh, 0.05, two), mesh);
     EXPECT_LT(largest_error(mesh, distance, two), 0.02 * mesh.spacing[0]); // its centres included
   }
 
@@ -116,7 +116,7 @@ namespace medium
     for (const double width : {0.1, 1., 2.})
     {
       Distance distance(mesh, 8.);
-      measure(distance, phase_field(mesh, width * h, square), mesh);
+      compute_distance(distance, phase_field(mesh, width * h, square), mesh);
       const double error = largest_error(mesh, distance, exact);
       EXPECT_TRUE(std::isfinite(error));
       EXPECT_LT(error, 0.75 * h) << "W0/dx = " << width; // the corner itself is no crossing
@@ -130,7 +130,7 @@ namespace medium
     const auto wrapped = [&](const Point &x)
     { return std::max(stripe(x), stripe(x + Point(2., 0.))); };
     Distance distance(mesh, 10.);
-    measure(distance, phase_field(mesh, 0.06, wrapped), mesh);
+    compute_distance(distance, phase_field(mesh, 0.06, wrapped), mesh);
     EXPECT_LT(largest_error(mesh, distance, wrapped), 0.01 * mesh.spacing[0]);
     EXPECT_GE(distance.piece(2, 10), 0);
   }
@@ -139,7 +139,7 @@ namespace medium
   {
     const Mesh mesh = box_mesh(20);
     Distance distance(mesh, 5.);
-    measure(distance, Field<float>(mesh, -1.f), mesh);
+    compute_distance(distance, Field<float>(mesh, -1.f), mesh);
     EXPECT_EQ(distance.psi(3, 7), -distance.band);
     EXPECT_EQ(distance.piece(3, 7), -1);
     EXPECT_THROW(Distance(mesh, 2.), std::invalid_argument);
@@ -150,12 +150,12 @@ namespace medium
     /// Distance from a node to the arc or segment that a piece stands for (see distance.h).
     double arc_distance(const ContourPiece &piece, const Point &x, double h)
     {
-      const double rx = x[0] - piece.x, ry = x[1] - piece.y, bend = piece.curvature;
+      const double rx = x[0] - piece.x, ry = x[1] - piece.y, curvature = piece.curvature;
       const double m = rx * piece.normal_x + ry * piece.normal_y,
                    s = ry * piece.normal_x - rx * piece.normal_y, square = rx * rx + ry * ry;
-      const double under = 1. - 2. * bend * m + bend * bend * square;
+      const double under = 1. - 2. * curvature * m + curvature * curvature * square;
       if (under > 0.0025 && std::abs(s) / std::sqrt(under) <= h)
-        return std::abs(2. * m - bend * square) / (1. + std::sqrt(under));
+        return std::abs(2. * m - curvature * square) / (1. + std::sqrt(under));
       return std::hypot(s - std::clamp(s, -0.5 * h, 0.5 * h), m);
     }
 
@@ -210,7 +210,7 @@ namespace medium
          {0., 0.2, 2.}) // of a cell: smooth; wrinkled; a contour full of specks
     {
       Distance distance(mesh, 9.);
-      measure(distance, rough_discs(mesh, 2. * h, noise * h), mesh);
+      compute_distance(distance, rough_discs(mesh, 2. * h, noise * h), mesh);
       EXPECT_GT(distance.pieces.size(), 400u);
       // A wrinkled contour has corners where a node or two may ask the second nearest piece.
       EXPECT_LE(nodes_with_another_owner(distance, mesh), noise > 0. ? 10 : 0)
@@ -229,8 +229,8 @@ namespace medium
           mesh, 1.5 * h,
           [&](const Point &x)
           { return 0.15 + 2.5 * h * step * 0.4 - (x - Point(2.5 * h * step - 0.4, 0.1)).norm(); });
-      step == 0 ? measure(followed, phi, mesh) : follow(followed, phi, mesh);
-      measure(afresh, phi, mesh);
+      step == 0 ? compute_distance(followed, phi, mesh) : update_distance(followed, phi, mesh);
+      compute_distance(afresh, phi, mesh);
       for (int j = 0; j < mesh.nodes[1]; ++j)
         for (int i = 0; i < mesh.nodes[0]; ++i)
         {

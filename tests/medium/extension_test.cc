@@ -206,7 +206,7 @@ namespace medium
     const double h = disc.mesh.spacing[0], slope = 0.1 / h;
     Extension extension(disc.mesh, disc.settings, width);
     Field<double> angle(disc.mesh), velocity(disc.mesh);
-    EXPECT_THROW(extend_remembered(extension, {&angle}, disc.mesh), std::logic_error);
+    EXPECT_THROW(extend_inherited(extension, {&angle}, disc.mesh), std::logic_error);
     const auto grow_to = [&](double size)
     {
       for (int j = 0; j < disc.mesh.nodes[1]; ++j)
@@ -222,7 +222,7 @@ namespace medium
     {
       grow_to(radius + 0.05 * h * step);
       extend_into_liquid(extension, {&velocity}, disc.phi, disc.material, disc.mesh);
-      extend_remembered(extension, {&angle}, disc.mesh);
+      extend_inherited(extension, {&angle}, disc.mesh);
     }
     for (int j = 0; j < disc.mesh.nodes[1]; ++j)
       for (int i = 0; i < disc.mesh.nodes[0]; ++i)
@@ -240,7 +240,7 @@ namespace medium
       Disc disc(40 << level);
       const double h = disc.mesh.spacing[0];
       Distance distance(disc.mesh, 0.3 / h);
-      measure(distance, disc.phi, disc.mesh);
+      compute_distance(distance, disc.phi, disc.mesh);
       reinitialise(distance, disc.phi, width, disc.mesh);
       error[level] = shift[level] = 0.;
       for (int j = 0; j < disc.mesh.nodes[1]; ++j)

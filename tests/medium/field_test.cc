@@ -113,16 +113,16 @@ TEST(Sums, SpreadOfALinearFieldIsKnownAndHasTheSameBitsOnThreeThreads)
       f(i, j) = i / 37.;
   const int before = omp_get_max_threads();
   omp_set_num_threads(1);
-  const medium::Spread spread = medium::spread_of(f, mesh);
+  const medium::Statistics statistics = medium::statistics_of(f, mesh);
   omp_set_num_threads(3);
-  const medium::Spread again = medium::spread_of(f, mesh);
+  const medium::Statistics again = medium::statistics_of(f, mesh);
   omp_set_num_threads(before);
-  EXPECT_NEAR(spread.mean, 0.5, 1e-15);
-  EXPECT_NEAR(spread.variance, 1. / 12. + 1. / (6. * 37. * 37.), 1e-15);
-  EXPECT_EQ(spread.min, 0.);
-  EXPECT_EQ(spread.max, 1.);
-  EXPECT_EQ(spread.mean, again.mean);
-  EXPECT_EQ(spread.variance, again.variance);
+  EXPECT_NEAR(statistics.mean, 0.5, 1e-15);
+  EXPECT_NEAR(statistics.variance, 1. / 12. + 1. / (6. * 37. * 37.), 1e-15);
+  EXPECT_EQ(statistics.min, 0.);
+  EXPECT_EQ(statistics.max, 1.);
+  EXPECT_EQ(statistics.mean, again.mean);
+  EXPECT_EQ(statistics.variance, again.variance);
 }
 
 // 1 + 1e16 - 1e16: a plain sum loses the one.

@@ -25,9 +25,9 @@ namespace medium
     {
       const bool touched_before = wall.touched.has_value();
       fill_behind(phi, walls.cuts, mesh);
-      watch(walls, phi, mesh, 0.05 * step);
+      start_walls(walls, phi, mesh, 0.05 * step);
       move(walls, 0.05 * step, 0.05, mesh);
-      settle(walls, mesh, {{&phi, nullptr, nullptr}});
+      update_cuts(walls, mesh, {{&phi, nullptr, nullptr}});
       if (!wall.touched)
         fastest_before = std::max(fastest_before, -wall.velocity);
       else if (!touched_before)
@@ -56,9 +56,9 @@ namespace medium
     Field<double> phi(mesh, -1.);
     for (int step = 0; step < 300; ++step)
     {
-      watch(walls, phi, mesh, 0.03 * step);
+      start_walls(walls, phi, mesh, 0.03 * step);
       move(walls, 0.03 * step, 0.03, mesh);
-      settle(walls, mesh, {});
+      update_cuts(walls, mesh, {});
     }
     for (int j = -ghost_layers; j < 0; ++j) // where nothing is to be read
       for (int i = 0; i < mesh.nodes[0]; ++i)
@@ -84,7 +84,7 @@ namespace medium
       for (int j = 0; j < mesh.nodes[1]; ++j)
         for (int i = 0; i < mesh.nodes[0]; ++i)
           phi(i, j) = std::tanh((front - 0.4 * j) / std::sqrt(2.));
-      watch(walls, phi, mesh, front);
+      start_walls(walls, phi, mesh, front);
     }
     EXPECT_NEAR(40. - front, 0.1, 0.06); // the wall's own line sees phi = 0 by a parabola
   }
@@ -99,9 +99,9 @@ namespace medium
     for (int step = 0; step < 60; ++step)
     {
       const double time = 0.05 * step;
-      watch(walls, time);
+      start_walls(walls, time);
       if (step == 10)
-        touch(walls.walls[0], walls, mesh, time);
+        record_contact(walls.walls[0], walls, mesh, time);
       move(walls, time, 0.05, mesh);
       const double now = time + 0.05;
       EXPECT_NEAR(walls.walls[0].travel, now <= 2. ? 0. : 0.5 * (now - 2.), 0.5 * 0.1 + 1e-12)
@@ -110,7 +110,7 @@ namespace medium
       {
         EXPECT_EQ(walls.walls[0].travel, 0.);
       }
-      settle(walls, mesh, {});
+      update_cuts(walls, mesh, {});
     }
     EXPECT_NEAR(walls.walls[0].travel, 0.5 * (3. - 2. - 0.1), 1e-9);
   }
@@ -133,7 +133,7 @@ namespace medium
       fill_behind(phi, walls.cuts, mesh);
       const Wall &wall = walls.walls[0];
       const bool was_at_rest = !wall.started;
-      watch(walls, phi, mesh, time);
+      start_walls(walls, phi, mesh, time);
       if (was_at_rest && wall.started)
       {
         EXPECT_NEAR(front, 32., 0.02);
@@ -141,7 +141,7 @@ namespace medium
       if (wall.touched && touched_position == 0.)
         touched_position = wall.position - front;
       move(walls, time, 0.05, mesh);
-      settle(walls, mesh, {});
+      update_cuts(walls, mesh, {});
       if (wall.travel >= asked.travel)
         break;
       EXPECT_LE(-wall.velocity, 0.5 + 1e-12);

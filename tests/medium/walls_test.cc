@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "medium/numerical_error.h"
 #include "medium/sums.h"
-#include "medium/trouble.h"
 
 namespace medium
 {
@@ -37,9 +37,9 @@ namespace medium
     Field<double> phi(mesh, -1.);
     for (int step = 0; step < 300; ++step)
     {
-      watch(walls, phi, mesh, 0.03 * step);
+      start_walls(walls, phi, mesh, 0.03 * step);
       move(walls, 0.03 * step, 0.03, mesh);
-      settle(walls, mesh, {});
+      update_cuts(walls, mesh, {});
       for (const Edge side : {Edge::top, Edge::left})
       {
         const Cut &cut = *walls.cuts.at(side);
@@ -93,13 +93,13 @@ namespace medium
     for (int j = 0; j < mesh.nodes[1]; ++j)
       for (int i = 0; i < mesh.nodes[0]; ++i)
         theta(i, j) = std::sin(0.3 * i) * std::cos(0.11 * j) - 0.01 * j;
-    settle(walls, mesh, {{&theta, nullptr, &walls.swept_heat}});
+    update_cuts(walls, mesh, {{&theta, nullptr, &walls.swept_heat}});
     const double start = weighted_sum(theta, mesh, walls.cuts) * 0.16;
     for (int step = 0; step < 400; ++step)
     {
-      watch(walls, phi, mesh, 0.02 * step);
+      start_walls(walls, phi, mesh, 0.02 * step);
       move(walls, 0.02 * step, 0.02, mesh);
-      settle(walls, mesh, {{&theta, nullptr, &walls.swept_heat}});
+      update_cuts(walls, mesh, {{&theta, nullptr, &walls.swept_heat}});
       for (int sub = 0; sub < 3; ++sub)
         diffuse(theta, walls.cuts, mesh, 0.2);
     }
@@ -160,13 +160,13 @@ namespace medium
     const double dt = 0.1;
     for (int step = 0; step < 180; ++step)
     {
-      watch(walls, phi, mesh, step * dt);
+      start_walls(walls, phi, mesh, step * dt);
       move(walls, step * dt, dt, mesh);
       Velocity velocity(mesh);
       velocity.y = Field<double>(mesh, walls.walls[0].velocity);
       fill_behind(velocity, walls, mesh);
       advection.advect(phi, gradients, velocity, dt);
-      settle(walls, mesh, {{&phi, &gradients, nullptr}});
+      update_cuts(walls, mesh, {{&phi, &gradients, nullptr}});
     }
     const Wall &wall = walls.walls[0];
     EXPECT_NEAR(wall.travel, 9., 1e-9);
@@ -187,13 +187,13 @@ namespace medium
     periodic.boundary.fill(Boundary::periodic);
     EXPECT_THROW(make_walls({piston(Edge::top, 1., 2.)}, periodic), std::invalid_argument);
     Walls walls = make_walls({piston(Edge::top, 1., 2.)}, mesh);
-    watch(walls, Field<double>(mesh, -1.), mesh, 0.);
+    start_walls(walls, Field<double>(mesh, -1.), mesh, 0.);
     try
     {
       move(walls, 0., 0.3, mesh);
       FAIL() << "it crossed most of a cell";
     }
-    catch (const NumericalTrouble &trouble)
+    catch (const NumericalError &trouble)
     {
       EXPECT_NE(std::string(trouble.what()).find("a wall crosses"), std::string::npos)
           << trouble.what();

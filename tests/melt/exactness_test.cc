@@ -98,7 +98,7 @@ TEST(AngleField, OfOneValueIsTheUniformAngle)
   {
     melt::Orientation uniform = melt::make_orientation(degrees);
     const test::Melt plain = grown(GrowthOptions{}, 400, 0, &uniform);
-    melt::let_vary(uniform, mesh);
+    melt::allocate_angle_field(uniform, mesh);
     melt::refresh(uniform, mesh);
     const test::Melt field = grown(GrowthOptions{}, 400, 0, &uniform);
     EXPECT_LT(test::largest_difference(plain.phi, field.phi, mesh), 1e-11);

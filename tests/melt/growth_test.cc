@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "medium/numerical_error.h"
 #include "medium/sums.h"
-#include "medium/trouble.h"
-#include "melt/ledger.h"
+#include "melt/heat_budget.h"
 #include "seed.h"
 
 namespace
@@ -59,11 +59,11 @@ TEST(Growth, KeepsHeatMinusLatentHeatToRounding)
       GrowthOptions options;
       options.laplacian = laplacian;
       Growth growth(mesh, test::paper_law(0.05), options, 0.55);
-      const double before = melt::heat_ledger(melt.phi, melt.theta, mesh).total();
+      const double before = melt::heat_budget(melt.phi, melt.theta, mesh).total();
       const double area = solid_area(melt.phi, mesh);
       growth.advance(melt.fields(), 0.8 * growth.step_limit(), 1000);
       EXPECT_GT(solid_area(melt.phi, mesh), 1.5 * area);
-      EXPECT_NEAR(melt::heat_ledger(melt.phi, melt.theta, mesh).total() / before, 1., 1e-13);
+      EXPECT_NEAR(melt::heat_budget(melt.phi, melt.theta, mesh).total() / before, 1., 1e-13);
     }
 }
 
@@ -161,7 +161,7 @@ TEST(Growth, CatchesTheBlowUpOfAForcedStepWithinAFewSteps)
     growth.advance(melt.fields(), 2.5 * growth.step_limit(), 48);
     FAIL() << "it went on";
   }
-  catch (const medium::NumericalTrouble &trouble)
+  catch (const medium::NumericalError &trouble)
   {
     const std::string message = trouble.what();
     EXPECT_NE(message.find("growth step"), std::string::npos) << message;
@@ -184,7 +184,7 @@ TEST(Growth, NamesTheSameNodeWhetherOddOrEvenStepsWereAsked)
     {
       growth.advance(melt.fields(), 2.5 * growth.step_limit(), 480 + odd);
     }
-    catch (const medium::NumericalTrouble &trouble)
+    catch (const medium::NumericalError &trouble)
     {
       said[odd] = trouble.what();
     }

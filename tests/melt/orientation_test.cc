@@ -62,7 +62,7 @@ TEST(Orientation, TurnsWithTheBodyNotTwiceAsFast)
   medium::Advection advection(mesh, scene::AdvectionScheme::cip);
   const medium::Velocity velocity = rotation(mesh, 0.7);
   for (int step = 0; step < 50; ++step)
-    melt::turn(orientation, velocity, 0.01, mesh, advection);
+    melt::advance_orientation(orientation, velocity, 0.01, mesh, advection);
   for (int j = 0; j < 33; ++j)
     for (int i = 0; i < 33; ++i)
       ASSERT_NEAR(orientation.angle(i, j), 10. * M_PI / 180. + 0.35, 1e-12);
@@ -80,7 +80,7 @@ TEST(Orientation, ShearTurnsByHalfItsRate)
     for (int i = -3; i < 36; ++i)
       velocity.y(i, j) = -0.4 * mesh.position(i, j)[0];
   for (int step = 0; step < 20; ++step)
-    melt::turn(orientation, velocity, 0.01, mesh, advection);
+    melt::advance_orientation(orientation, velocity, 0.01, mesh, advection);
   EXPECT_NEAR(orientation.angle(12, 20), -0.4 * 0.5 * 0.2, 1e-13);
 }
 

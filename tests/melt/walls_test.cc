@@ -4,7 +4,7 @@
 #include <omp.h>
 
 #include "medium/sums.h"
-#include "melt/ledger.h"
+#include "melt/heat_budget.h"
 #include "melt/noise.h"
 #include "seed.h"
 
@@ -41,9 +41,9 @@ namespace
     const double dt = 4. * growth.step_limit() * 0.8;
     for (int step = 0; step < 150; ++step)
     {
-      medium::watch(walls, melt.phi, mesh, step * dt);
+      medium::start_walls(walls, melt.phi, mesh, step * dt);
       medium::move(walls, step * dt, dt, mesh);
-      medium::settle(
+      medium::update_cuts(
           walls, mesh,
           {{&melt.phi, nullptr, &walls.swept_phase}, {&melt.theta, nullptr, &walls.swept_heat}});
       growth.advance({&melt.phi, &melt.theta, nullptr, &noise, &walls.cuts}, dt / 4., 4);
@@ -74,7 +74,7 @@ namespace
     const double dt = 0.1;
     for (int step = 0; step * dt < end - 1e-9; ++step)
     {
-      medium::watch(walls, melt.phi, mesh, step * dt);
+      medium::start_walls(walls, melt.phi, mesh, step * dt);
       medium::move(walls, step * dt, dt, mesh);
       if (walls.moving())
       {
@@ -83,8 +83,8 @@ namespace
         medium::fill_behind(velocity, walls, mesh);
         advection.advect(melt.phi, of_phi, velocity, dt);
         advection.advect(melt.theta, of_theta, velocity, dt);
-        medium::settle(walls, mesh,
-                       {{&melt.phi, &of_phi, nullptr}, {&melt.theta, &of_theta, nullptr}});
+        medium::update_cuts(walls, mesh,
+                            {{&melt.phi, &of_phi, nullptr}, {&melt.theta, &of_theta, nullptr}});
       }
       growth.advance({&melt.phi, &melt.theta, nullptr, nullptr, &walls.cuts}, dt / 10., 10);
     }

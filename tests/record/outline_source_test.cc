@@ -138,22 +138,22 @@ TEST(RecordedOutline, ComplainsWithPlaceAndRemedy)
 {
   const Scratch scratch;
   write_comb(scratch / "free.h5");
-  const auto complaint = [&](const scene::RecordedOutline &wanted)
+  const auto refusal_of = [&](const scene::RecordedOutline &wanted)
   {
     auto scene = scene_with(scratch / "scene.toml", wanted);
     return error_of<scene::BadScene>([&] { resolve_outlines(scene); });
   };
-  const std::string no_file = complaint(source(scratch / "fre.h5", "contour"));
+  const std::string no_file = refusal_of(source(scratch / "fre.h5", "contour"));
   EXPECT_NE(no_file.find("scene.toml:7"), std::string::npos) << no_file;
   EXPECT_NE(no_file.find("Run the scene that writes this record first"), std::string::npos);
-  EXPECT_NE(complaint(source(scratch / "free.h5", "countour")).find("only contour"),
+  EXPECT_NE(refusal_of(source(scratch / "free.h5", "countour")).find("only contour"),
             std::string::npos);
   auto wanted = source(scratch / "free.h5", "contour");
   wanted.time = 1.;
-  EXPECT_NE(complaint(wanted).find("but at 0.5, 1.5"), std::string::npos) << complaint(wanted);
+  EXPECT_NE(refusal_of(wanted).find("but at 0.5, 1.5"), std::string::npos) << refusal_of(wanted);
   wanted.time = 1.5;
   wanted.cut_above = -1.;
-  EXPECT_NE(complaint(wanted).find("nothing"), std::string::npos);
+  EXPECT_NE(refusal_of(wanted).find("nothing"), std::string::npos);
 }
 
 // From a folder above: the path counts from the scene file, once.

@@ -50,7 +50,7 @@ TEST(Progress, ForetellsFromThePaceOfLate)
   }
   const std::string last = out.str().substr(out.str().rfind('\r'));
   EXPECT_NE(last.find("min"), std::string::npos) << last; // 0.1/1e-4 of 0.27 s, not 0.1 s
-  progress.expect(0.9008);                                // walls will end it sooner
+  progress.set_end(0.9008);                               // walls will end it sooner
   std::this_thread::sleep_for(std::chrono::milliseconds(270));
   progress.update(fraction);
   const std::string sooner = out.str().substr(out.str().rfind('\r'));

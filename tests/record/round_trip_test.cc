@@ -137,7 +137,8 @@ TEST(Record, KeepsAttributesProvenanceAndProfile)
 {
   const Scratch scratch;
   {
-    Writer writer(scratch / "a.h5", collect("mpm_pf", "mpm_pf scene.toml", 2), some_scene(), false);
+    Writer writer(scratch / "a.h5", collect_provenance("mpm_pf", "mpm_pf scene.toml", 2),
+                  some_scene(), false);
     writer.attribute("quasi_static", "yes");
     writer.attribute("largest_load", 0.75);
     writer.finish({{{"solve", 1.5, 3., 42}}, {{"steps", 1e6}, {"wall_s", 2.}}}, "complete");

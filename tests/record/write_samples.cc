@@ -46,7 +46,7 @@ int main(int, char **argv)
   scene.title = "Samples";
   scene.hash = "0";
   scene.text = "title = \"Samples\"\n";
-  const Provenance provenance = collect("write_samples", "write_samples", 1);
+  const Provenance provenance = collect_provenance("write_samples", "write_samples", 1);
   Writer all(folder + "/all.h5", provenance, scene, true);
   Writer cells_only(folder + "/cells.h5", provenance, scene, true);
   Writer points_only(folder + "/points.h5", provenance, scene, true);

@@ -1,4 +1,4 @@
-// Scenes that break one rule each: exactly one complaint may come, with file, line and reason.
+// Scenes that break one rule each: exactly one error may come, with file, line and reason.
 #pragma once
 
 #include "scene_file.h"
@@ -10,7 +10,7 @@ namespace scene_test
     std::string name;
     std::string text;   // of the scene
     std::string marked; // first words of the line that must be named
-    std::string said;   // part of the complaint
+    std::string said;   // part of the error
   };
 
   inline void PrintTo(const Broken &broken, std::ostream *out)
@@ -27,7 +27,7 @@ namespace scene_test
   {
     const Folder folder;
     const std::string path = folder.write("broken.toml", broken.text);
-    const std::string said = complaints(path);
+    const std::string said = errors(path);
     EXPECT_EQ(count(said, "[error]"), 1) << said;
     EXPECT_NE(said.find(broken.said), std::string::npos) << said;
     int line = broken.marked.empty() ? 1 : line_of(broken.text, broken.marked);

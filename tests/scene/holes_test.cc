@@ -40,7 +40,7 @@ TEST(Holes, ThatOverlapOrLieOutsideAreRefused)
 {
   const Folder folder;
   const auto said = [&](const std::string &holes)
-  { return complaints(folder.write("holes.toml", holed(holes))); };
+  { return errors(folder.write("holes.toml", holed(holes))); };
   EXPECT_NE(said(square(2.2, 0.5, 0.3) + ", " + square(2.4, 0.6, 0.3)).find("overlaps hole 1"),
             std::string::npos);
   EXPECT_NE(said(square(2.2, 0.5, 0.5) + ", " + square(2.3, 0.6, 0.1)).find("overlaps hole 1"),

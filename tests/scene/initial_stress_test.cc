@@ -15,7 +15,7 @@ namespace
   std::string said(const std::string &text)
   {
     const Folder folder;
-    return complaints(folder.write("stressed.toml", text));
+    return errors(folder.write("stressed.toml", text));
   }
 } // namespace
 

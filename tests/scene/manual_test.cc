@@ -1,7 +1,7 @@
 // The tables speak for themselves: every key has its sentence, every default its reason.
 #include <gtest/gtest.h>
 
-#include "scene/complaints.h"
+#include "scene/error_list.h"
 #include "scene/expression.h"
 #include "scene/formula_words.h"
 #include "scene/keys.h"
@@ -28,10 +28,10 @@ TEST(KeyTables, KeepDefaultsInsideTheirRanges)
   for (const scene::Section &section : scene::sections())
     for (const scene::Key &key : section.keys)
     {
-      if (key.kind == "a number" && !key.standard.empty())
+      if (key.kind == "a number" && !key.default_text.empty())
       {
-        EXPECT_TRUE(key.allowed.range.holds(std::stod(key.standard)))
-            << section.name << "." << key.name << " = " << key.standard;
+        EXPECT_TRUE(key.allowed.range.holds(std::stod(key.default_text)))
+            << section.name << "." << key.name << " = " << key.default_text;
       }
     }
 }

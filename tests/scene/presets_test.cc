@@ -78,7 +78,7 @@ TEST(Preset, BlamesAnInterfaceThatIsFarTooThin)
 {
   const Folder folder;
   const std::string thin = with(seed_without_cells, "width = 1.0", "width = 1e-12");
-  const std::string said = complaints(folder.write("a.toml", "accuracy = \"draft\"\n" + thin));
+  const std::string said = errors(folder.write("a.toml", "accuracy = \"draft\"\n" + thin));
   EXPECT_NE(said.find("a.toml:1"), std::string::npos) << said;
   EXPECT_NE(said.find("cells of 8e-13 are wanted"), std::string::npos) << said;
   EXPECT_NE(said.find("phase_field.width"), std::string::npos) << said;
@@ -121,7 +121,7 @@ TEST(Preset, SaysWhereNoMeshCanBeChosen)
 {
   const Folder folder;
   const std::string odd = with(seed_without_cells, "size = [40.0, 40.0]", "size = [40.0, 39.97]");
-  const std::string said = complaints(folder.write("a.toml", "accuracy = \"draft\"\n" + odd));
+  const std::string said = errors(folder.write("a.toml", "accuracy = \"draft\"\n" + odd));
   EXPECT_NE(said.find("give [domain] cells"), std::string::npos) << said;
 }
 
@@ -130,7 +130,7 @@ TEST(Preset, WithoutAccuracyChangesNothing)
   const Folder folder;
   const scene::Scene s = read_scene(folder.write("a.toml", bar));
   EXPECT_EQ(scene::describe_preset(s), "");
-  EXPECT_NE(complaints(folder.write("b.toml", bar_without_knobs)).find("cells"), std::string::npos);
+  EXPECT_NE(errors(folder.write("b.toml", bar_without_knobs)).find("cells"), std::string::npos);
 }
 
 TEST(Override, TakesAKeyAway)
@@ -138,8 +138,8 @@ TEST(Override, TakesAKeyAway)
   const Folder folder;
   const std::string path = folder.write("bar.toml", bar);
   EXPECT_FALSE(read_scene(path, {"mpm.mach="}).mpm->mach);
-  EXPECT_NE(complaints(path, {"domain.cells="}).find("cells"), std::string::npos);
-  EXPECT_NE(complaints(path, {"mpm.mahc="}).find("no key mpm.mahc"), std::string::npos);
+  EXPECT_NE(errors(path, {"domain.cells="}).find("cells"), std::string::npos);
+  EXPECT_NE(errors(path, {"mpm.mahc="}).find("no key mpm.mahc"), std::string::npos);
   EXPECT_GT(read_scene(path, {"domain.cells=", "accuracy=fine"}).domain.cells[0], 50);
 }
 

@@ -74,7 +74,7 @@ TEST(ReadScene, CollectsAllErrorsInOnePass)
   text = with(text, "\"0.4*t\"", "\"0.4*s\"");                    // expression
   text = with(text, "reaction = \"top\"", "reaction = \"lid\"");  // rule
   text += "[phase_feild]\nwidth = 1\n";                           // section
-  const std::string said = complaints(folder.write("many.toml", text));
+  const std::string said = errors(folder.write("many.toml", text));
   EXPECT_EQ(count(said, "[error]"), 7) << said;
   EXPECT_NE(said.find("the scene has 7 errors"), std::string::npos);
   EXPECT_NE(said.find("did you mean \"poisson_ratio\"?"), std::string::npos);
@@ -88,7 +88,7 @@ TEST(ReadScene, TurnsSyntaxErrorsIntoBadScene)
 {
   const Folder folder;
   const std::string path = folder.write("broken.toml", "[domain]\nsize = [1, \n");
-  const std::string said = complaints(path);
+  const std::string said = errors(path);
   EXPECT_EQ(count(said, "[error]"), 1) << said;
   EXPECT_NE(said.find("no valid TOML"), std::string::npos) << said;
   EXPECT_NE(said.find(path + ":"), std::string::npos) << said;
@@ -96,14 +96,14 @@ TEST(ReadScene, TurnsSyntaxErrorsIntoBadScene)
 
 TEST(ReadScene, NamesTheFileThatIsNotThere)
 {
-  EXPECT_NE(complaints("nowhere/absent.toml").find("nowhere/absent.toml"), std::string::npos);
+  EXPECT_NE(errors("nowhere/absent.toml").find("nowhere/absent.toml"), std::string::npos);
 }
 
 TEST(ReadScene, RefusesNestingThatNoSceneHas)
 {
   const Folder folder;
   const std::string said =
-      complaints(folder.write("deep.toml", "a = " + std::string(100000, '[') + "\n"));
+      errors(folder.write("deep.toml", "a = " + std::string(100000, '[') + "\n"));
   EXPECT_NE(said.find("deeper"), std::string::npos) << said;
 }
 
@@ -117,13 +117,13 @@ TEST(ReadScene, AcceptsDotsAndBracketsInTextsAndComments)
   const std::string dots(40, '.');
   const std::string text = "# " + dots + std::string(40, '[') + "\ntitle = 'it\"s " + dots + "'\n" +
                            with(bar, "\"0.4*t\"", "\"0.4*t + " + sum + "\"");
-  EXPECT_EQ(complaints(folder.write("long.toml", text.substr(0, text.find("title = \"")) +
-                                                     text.substr(text.find("[domain]")))),
+  EXPECT_EQ(errors(folder.write("long.toml", text.substr(0, text.find("title = \"")) +
+                                                 text.substr(text.find("[domain]")))),
             "");
   for (const std::string first : {"a = \"x\\\"\"", "a = 'x\\'", "a = \"\"\"x\"\"\"", "a = \"x"})
-    EXPECT_NE(complaints(folder.write("deep.toml", first + "\nb = " + std::string(1000, '[')))
-                  .find("deeper"),
-              std::string::npos)
+    EXPECT_NE(
+        errors(folder.write("deep.toml", first + "\nb = " + std::string(1000, '['))).find("deeper"),
+        std::string::npos)
         << first;
 }
 
@@ -160,7 +160,7 @@ TEST(Include, KeepsThePlaceOfEachOrigin)
   const std::string base = folder.write("scene.toml", with(bar, "density = 7800", "density = 0"));
   const std::string quick =
       folder.write("quick.toml", "include = \"scene.toml\"\n[clock]\nend = -1\n");
-  const std::string said = complaints(quick);
+  const std::string said = errors(quick);
   EXPECT_NE(said.find(base + ":12: solid.density"), std::string::npos) << said;
   EXPECT_NE(said.find(quick + ":3: clock.end"), std::string::npos) << said;
 }
@@ -180,9 +180,9 @@ TEST(Include, RefusesCirclesAndAbsentFiles)
   const Folder folder;
   folder.write("a.toml", "include = \"b.toml\"\n");
   const std::string b = folder.write("b.toml", "include = \"a.toml\"\n" + bar);
-  EXPECT_NE(complaints(b).find("includes itself"), std::string::npos);
+  EXPECT_NE(errors(b).find("includes itself"), std::string::npos);
   const std::string c = folder.write("c.toml", "\ninclude = \"absent.toml\"\n" + bar);
-  EXPECT_NE(complaints(c).find(c + ":2: "), std::string::npos) << complaints(c);
+  EXPECT_NE(errors(c).find(c + ":2: "), std::string::npos) << errors(c);
 }
 
 TEST(Override, ReachesSectionsAndNamedEntries)
@@ -208,10 +208,10 @@ TEST(Override, OfNothingIsRefused)
 {
   const Folder folder;
   const std::string path = folder.write("bar.toml", bar);
-  EXPECT_NE(complaints(path, {"support.tpo.displacement=[0,0]"}).find("did you mean \"top\"?"),
+  EXPECT_NE(errors(path, {"support.tpo.displacement=[0,0]"}).find("did you mean \"top\"?"),
             std::string::npos);
-  EXPECT_NE(complaints(path, {"mpm.mahc=1e-3"}).find("did you mean \"mach\"?"), std::string::npos);
-  EXPECT_NE(complaints(path, {"mpm.mach"}).find("--set:1"), std::string::npos);
+  EXPECT_NE(errors(path, {"mpm.mahc=1e-3"}).find("did you mean \"mach\"?"), std::string::npos);
+  EXPECT_NE(errors(path, {"mpm.mach"}).find("--set:1"), std::string::npos);
 }
 
 TEST(Body, ComesFromAnOutlineFileBesideItsScene)
@@ -230,17 +230,16 @@ TEST(Body, ComesFromAnOutlineFileBesideItsScene)
   folder.write("shapes/frame.csv", "0,0\n4,0\n4,1\n");
   EXPECT_NE(read_scene(path).hash, hash) << "the outline is part of what is asked";
   folder.write("shapes/frame.csv", "0,0\n4,zero\n");
-  EXPECT_NE(complaints(path).find("frame.csv:2"), std::string::npos) << complaints(path);
+  EXPECT_NE(errors(path).find("frame.csv:2"), std::string::npos) << errors(path);
 }
 
 TEST(Body, NeedsTheKeysOfItsShapeAndNoOthers)
 {
   const Folder folder;
-  const std::string missing =
-      complaints(folder.write("a.toml", with(bar, "size = [1.0, 2.0]\n", "")));
+  const std::string missing = errors(folder.write("a.toml", with(bar, "size = [1.0, 2.0]\n", "")));
   EXPECT_EQ(count(missing, "[error]"), 1) << missing;
   EXPECT_NE(missing.find("rectangle needs \"size\""), std::string::npos) << missing;
-  const std::string foreign = complaints(
+  const std::string foreign = errors(
       folder.write("b.toml", with(bar, "size = [1.0, 2.0]", "size = [1.0, 2.0]\nradius = 1")));
   EXPECT_NE(foreign.find("\"radius\" belongs to disc"), std::string::npos) << foreign;
 }
@@ -248,14 +247,13 @@ TEST(Body, NeedsTheKeysOfItsShapeAndNoOthers)
 TEST(Probe, HasExactlyOneKind)
 {
   const Folder folder;
-  EXPECT_NE(complaints(folder.write("a.toml", bar + "[[probe]]\nname = \"x\"\n"))
-                .find("nothing says which"),
-            std::string::npos);
   EXPECT_NE(
-      complaints(folder.write("b.toml",
-                              bar + "[[probe]]\nname = \"x\"\nhistory = true\nsnapshot = true\n"))
-          .find("exclude each other"),
+      errors(folder.write("a.toml", bar + "[[probe]]\nname = \"x\"\n")).find("nothing says which"),
       std::string::npos);
+  EXPECT_NE(errors(folder.write("b.toml",
+                                bar + "[[probe]]\nname = \"x\"\nhistory = true\nsnapshot = true\n"))
+                .find("exclude each other"),
+            std::string::npos);
 }
 
 TEST(Probe, AsksForAllThatTheModulesKnowIfItDoesNotSay)

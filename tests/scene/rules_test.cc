@@ -1,4 +1,4 @@
-// One broken scene per rule of domain, bodies, solid and probes: the complaint must name file and
+// One broken scene per rule of domain, bodies, solid and probes: the error must name file and
 // line, and say why.
 #include "broken_scene.h"
 
@@ -166,8 +166,8 @@ INSTANTIATE_TEST_SUITE_P(Rules, BrokenMechanics, testing::ValuesIn(mechanics), n
 TEST(Rules, AcceptTheScenesThatTheyAreTriedOn)
 {
   const Folder folder;
-  EXPECT_EQ(complaints(folder.write("bar.toml", bar)), "");
-  EXPECT_EQ(complaints(folder.write("seed.toml", seed)), "");
+  EXPECT_EQ(errors(folder.write("bar.toml", bar)), "");
+  EXPECT_EQ(errors(folder.write("seed.toml", seed)), "");
 }
 
 TEST(Rules, AcceptKineticsThatAgreeToOnePercent)
@@ -175,16 +175,14 @@ TEST(Rules, AcceptKineticsThatAgreeToOnePercent)
   const Folder folder;
   // lambda = 0.8839/0.185: tau0 = 0.6267 lambda/D asks D = 2.994; 0.9 % above that passes, 1.2 %
   // does not.
-  EXPECT_EQ(
-      complaints(folder.write("in.toml", with(seed, "diffusivity = 3.0", "diffusivity = 3.020"))),
-      "");
+  EXPECT_EQ(errors(folder.write("in.toml", with(seed, "diffusivity = 3.0", "diffusivity = 3.020"))),
+            "");
   EXPECT_NE(
-      complaints(folder.write("out.toml", with(seed, "diffusivity = 3.0", "diffusivity = 3.032"))),
-      "");
+      errors(folder.write("out.toml", with(seed, "diffusivity = 3.0", "diffusivity = 3.032"))), "");
   // With the kinetic coefficient given, D = 4: beta = 0.8839 (0.185/0.8839 - 0.6267/4) = 0.046515.
-  EXPECT_EQ(complaints(folder.write("kinetic.toml",
-                                    with(with(seed, "diffusivity = 3.0", "diffusivity = 4.0"),
-                                         "[growth]", "[growth]\nkinetic_coefficient = 0.046515"))),
+  EXPECT_EQ(errors(folder.write("kinetic.toml",
+                                with(with(seed, "diffusivity = 3.0", "diffusivity = 4.0"),
+                                     "[growth]", "[growth]\nkinetic_coefficient = 0.046515"))),
             "");
 }
 
@@ -197,8 +195,7 @@ TEST(Rules, MachWithoutAnythingThatMovesIsRefused)
     const std::size_t from = text.find("[[support]]");
     text.erase(from, text.find("[[", from + 2) - from);
   }
-  EXPECT_EQ(complaints(folder.write("still.toml", text)), "");
-  EXPECT_NE(
-      complaints(folder.write("mach.toml", text + "mach = 1e-3\n")).find("Mach number of what"),
-      std::string::npos);
+  EXPECT_EQ(errors(folder.write("still.toml", text)), "");
+  EXPECT_NE(errors(folder.write("mach.toml", text + "mach = 1e-3\n")).find("Mach number of what"),
+            std::string::npos);
 }

@@ -14,8 +14,7 @@ namespace scene_test
   using Folder = Scratch;
 
   /// All that read_scene complains of; "" if it accepts the scene.
-  inline std::string complaints(const std::string &path,
-                                const std::vector<std::string> &overrides = {})
+  inline std::string errors(const std::string &path, const std::vector<std::string> &overrides = {})
   {
     try
     {

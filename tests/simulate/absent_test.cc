@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "accounts.h"
+#include "costs.h"
 #include "forecast.h"
 #include "forecast_growth.h"
 #include "melt_history.h"
@@ -229,7 +229,7 @@ TEST(Forecast, CountsTheBytesThatTheRunWillHold)
     double held = 0.;
     for (const auto &[name, bytes] : memory(it.world))
       held += bytes;
-    EXPECT_NEAR(foretell(it.scene, 1).solver_bytes(), held, 0.1 * held) << text;
+    EXPECT_NEAR(make_forecast(it.scene, 1).solver_bytes(), held, 0.1 * held) << text;
   }
 }
 

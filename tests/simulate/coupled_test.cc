@@ -4,11 +4,11 @@
 #include <gtest/gtest.h>
 
 #include "../scratch.h"
-#include "accounts.h"
+#include "costs.h"
 #include "coupling.h"
 #include "forecast.h"
 #include "inertia.h"
-#include "medium/trouble.h"
+#include "medium/numerical_error.h"
 #include "melt_history.h"
 #include "record/checkpoint.h"
 #include "record/reader.h"
@@ -73,7 +73,7 @@ TEST(Coupled, TroubleOfTheMeltTellsItsTime)
     go(world, 1000);
     FAIL() << "it went on";
   }
-  catch (const medium::NumericalTrouble &trouble)
+  catch (const medium::NumericalError &trouble)
   {
     const std::string said = trouble.what();
     EXPECT_EQ(said.rfind("from time " + scene::number_text(world.time) + " on, growth step", 0), 0u)
@@ -113,8 +113,8 @@ TEST(Forecast, IsMadeOfAStepThatIsForced)
   scene.walls.clear(), scene.solid.reset(), scene.mpm.reset();
   scene.clock.end = 1.;
   scene.growth->step = (1. + 1e-6) * build_world(scene, 1).growth->step_limit();
-  EXPECT_THROW(foretell(scene, 1), scene::BadScene);
-  EXPECT_GT(foretell(scene, 1, true).cpu_s(), 0.);
+  EXPECT_THROW(make_forecast(scene, 1), scene::BadScene);
+  EXPECT_GT(make_forecast(scene, 1, true).cpu_s(), 0.);
 }
 
 TEST(Coupled, NoPointExistsBeforeAWallTouches)
@@ -149,9 +149,9 @@ TEST(Coupled, GoesOnFromACheckpointToTheSameBits)
     resumed.time = whole.time, resumed.steps = whole.steps;
     go(whole, 25), go(resumed, 25);
     ASSERT_EQ(whole.time, resumed.time);
-    EXPECT_EQ(whole.heat->carried, resumed.heat->carried);
-    EXPECT_EQ(whole.phase->carried, resumed.phase->carried);
-    EXPECT_NE(whole.heat->carried, 0.);
+    EXPECT_EQ(whole.heat->advected, resumed.heat->advected);
+    EXPECT_EQ(whole.phase->advected, resumed.phase->advected);
+    EXPECT_NE(whole.heat->advected, 0.);
     EXPECT_EQ(medium::pack(*whole.walls), medium::pack(*resumed.walls));
     EXPECT_EQ(solid::checkpoint(*whole.solid), solid::checkpoint(*resumed.solid));
     for (int j = 0; j < whole.mesh->nodes[1]; ++j)
@@ -171,9 +171,9 @@ TEST(Coupled, WithoutWallsTheCrystalHasItsPointsAtOnceAndStaysFreeOfStress)
   scene.solid->density = 1e4;
   World world = build_world(scene, 1);
   go(world, 20);
-  const solid::Ledger ledger = solid::ledger(*world.solid);
-  EXPECT_GT(ledger.grown, 1.);
-  EXPECT_NEAR(ledger.imbalance(), 0., 1e-10 * ledger.phi);
+  const solid::AreaBudget budget = solid::area_budget(*world.solid);
+  EXPECT_GT(budget.grown, 1.);
+  EXPECT_NEAR(budget.imbalance(), 0., 1e-10 * budget.phi);
   const auto snapshot = solid::snapshot(*world.solid, {"von_mises", "pressure"});
   for (const char *field : {"von_mises", "pressure"})
     for (const double stress : snapshot.fields.at(field))
@@ -194,8 +194,9 @@ TEST(Coupled, ACrystalWithoutWallsStartsWithItsBodysVelocity)
   scene.bodies[0].velocity = {scene::Expression{"0.1-0.02*Y", {}}, scene::Expression{"0.02*X", {}}};
   scene.clock.end = 10.;
   World world = build_world(scene, 1);
-  wake_solid(world);
-  const double mass = solid::numbers(*world.solid).at("density") * solid::ledger(*world.solid).phi;
+  activate_solid(world);
+  const double mass =
+      solid::numbers(*world.solid).at("density") * solid::area_budget(*world.solid).phi;
   EXPECT_NEAR(mass, 0.1 * 3.1416 * 64., 0.01 * mass);
   go(world, 100000);
   const auto row = solid::history(*world.solid);

@@ -26,7 +26,7 @@ TEST(EarlyEnd, IsSeenOnceByProbesOfTheEndAndOfIntervals)
   const std::string path = scratch / "record.h5";
   {
     World world = build_world(scene, 1);
-    record::Writer writer(path, record::collect("test", "test", 1), scene, true);
+    record::Writer writer(path, record::collect_provenance("test", "test", 1), scene, true);
     Recorder recorder(scene, writer);
     ASSERT_TRUE(simulate(world, recorder, [](const World &) { return true; }));
     EXPECT_LT(world.time, 4.7);
@@ -71,7 +71,8 @@ TEST(EarlyEnd, CompressionsAreSeenWhenTheyAreReached)
   text.replace(text.find("every = 2.0"), 11, "compressions = [0.013, 0.031]");
   const scene::Scene scene = scene_of(text);
   World world = build_world(scene, 1);
-  record::Writer writer(scratch / "record.h5", record::collect("test", "test", 1), scene, true);
+  record::Writer writer(scratch / "record.h5", record::collect_provenance("test", "test", 1), scene,
+                        true);
   Recorder recorder(scene, writer);
   double wanted = recorder.next_compression(), before = 0.;
   int seen = 0;

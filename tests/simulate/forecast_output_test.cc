@@ -8,14 +8,14 @@ namespace
 {
   double output_seconds(const std::string &every)
   {
-    return foretell(scene_of("title = \"t\"\n[domain]\nsize = [16.0, 16.0]\ncells = [64, 64]\n"
-                             "[[body]]\nshape = \"rectangle\"\ncorner = [4.0, 4.0]\n"
-                             "size = [8.0, 8.0]\n"
-                             "[solid]\nyoung_modulus = 100.0\npoisson_ratio = 0.3\n"
-                             "density = 1.0\n[[probe]]\nname = \"fields\"\nsnapshot = true\n"
-                             "every = " +
-                             every + "\n[clock]\nend = 10.0\n"),
-                    1, false)
+    return make_forecast(scene_of("title = \"t\"\n[domain]\nsize = [16.0, 16.0]\ncells = [64, 64]\n"
+                                  "[[body]]\nshape = \"rectangle\"\ncorner = [4.0, 4.0]\n"
+                                  "size = [8.0, 8.0]\n"
+                                  "[solid]\nyoung_modulus = 100.0\npoisson_ratio = 0.3\n"
+                                  "density = 1.0\n[[probe]]\nname = \"fields\"\nsnapshot = true\n"
+                                  "every = " +
+                                  every + "\n[clock]\nend = 10.0\n"),
+                         1, false)
         .seconds.at("output");
   }
 } // namespace

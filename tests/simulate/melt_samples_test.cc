@@ -21,7 +21,7 @@ TEST(MeltSamples, ImposedVelocityIsWhatTheSceneSays)
   scene.heat.emplace();
   scene.heat->diffusivity = 1.;
   scene.imposed.emplace();
-  const scene::Place place{"test", 1, "test"};
+  const scene::SourceLocation place{"test", 1, "test"};
   scene.imposed->velocity = {scene::Expression{"3*y", place}, scene::Expression{"-x", place}};
   const World world = build_world(scene, 1);
   const auto sample = sample_melt(world, {{0.53, 1.27}}, {"velocity_y", "theta", "velocity_x"});

@@ -17,7 +17,7 @@ namespace
     events.erase(std::unique(events.begin(), events.end()), events.end());
     std::vector<ReactionRow> rows;
     for (const double t : events)
-      for (const auto &row : window.see(t, Point(impulse(t), 0.), Point(0., 2. * t)))
+      for (const auto &row : window.add(t, Point(impulse(t), 0.), Point(0., 2. * t)))
         rows.push_back(row);
     return rows;
   }
@@ -48,8 +48,8 @@ TEST(ReactionWindow, ReachesToWhereTheRunEndsEarly)
       if (t <= stop)
         events.push_back(t);
     auto rows = rows_of(window, events, impulse);
-    window.close(stop);
-    for (const auto &row : window.see(stop, Point(impulse(stop), 0.), Point(0., 2. * stop)))
+    window.end_early(stop);
+    for (const auto &row : window.add(stop, Point(impulse(stop), 0.), Point(0., 2. * stop)))
       rows.push_back(row);
     ASSERT_FALSE(rows.empty());
     EXPECT_EQ(rows.back().time, stop);
@@ -69,9 +69,9 @@ TEST(ReactionWindow, GivesTheMeanWhereARunEndsInItsFirstWindow)
   {
     ReactionWindow window({0., 0.25, 0.5, 0.75, 1.}, 0.125, 1.);
     auto rows = rows_of(window, {0.}, [](double) { return 0.; });
-    window.close(stop);
+    window.end_early(stop);
     const double impulse = 3. * stop + 2. * stop * stop;
-    for (const auto &row : window.see(stop, Point(impulse, 0.), Point(0., 2. * stop)))
+    for (const auto &row : window.add(stop, Point(impulse, 0.), Point(0., 2. * stop)))
       rows.push_back(row);
     ASSERT_FALSE(rows.empty()) << stop;
     EXPECT_EQ(rows.back().time, stop);

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "../scratch.h"
-#include "medium/trouble.h"
+#include "medium/numerical_error.h"
 #include "scene/reader.h"
 
 namespace simulated
@@ -19,7 +19,7 @@ namespace simulated
     {
       call();
     }
-    catch (const medium::NumericalTrouble &trouble)
+    catch (const medium::NumericalError &trouble)
     {
       return trouble.what();
     }

@@ -28,7 +28,7 @@ TEST(Walls, MeetingInACornerPressAlike)
   for (int k = 0; k < steps; ++k)
   {
     const double dt = end / steps, at = speed * (k + 1) * dt;
-    follow_walls(*owner, {{Edge::left, at, speed}, {Edge::bottom, at, speed}}, dt);
+    set_wall_motions(*owner, {{Edge::left, at, speed}, {Edge::bottom, at, speed}}, dt);
     advance(*owner, dt);
   }
   const Point left = reaction(*owner, wall_name(Edge::left)).impulse;
@@ -68,8 +68,8 @@ TEST(Walls, PushAlikeInEitherOrder)
     for (int k = 0; k < steps; ++k)
     {
       const double dt = end / steps, top = 1. - speed * (k + 1) * dt;
-      follow_walls(*owner, {{Edge::left, 0., 0.}, {Edge::bottom, 0., 0.}, {Edge::top, top, -speed}},
-                   dt);
+      set_wall_motions(
+          *owner, {{Edge::left, 0., 0.}, {Edge::bottom, 0., 0.}, {Edge::top, top, -speed}}, dt);
       advance(*owner, dt);
     }
     force[static_cast<std::size_t>(order)] = -reaction(*owner, wall_name(Edge::top)).impulse[1];

@@ -98,7 +98,7 @@ TEST(Edges, ThatPartFromTheirMaterialStopTheRun)
     solid::advance(*bar, 8.);
     FAIL() << "it went on";
   }
-  catch (const solid::Trouble &trouble)
+  catch (const solid::NumericalError &trouble)
   {
     EXPECT_NE(std::string(trouble.what()).find("has parted from the material"), std::string::npos)
         << trouble.what();

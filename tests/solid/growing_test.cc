@@ -2,8 +2,8 @@
 
 #include "grown_scene.h"
 #include "medium/area_map.h"
+#include "solid/area_budget.h"
 #include "solid/energy.h"
-#include "solid/ledger.h"
 
 namespace
 {
@@ -25,7 +25,7 @@ namespace
     void activate() { solid::activate(solid, crystal(), time); }
     void grow(const double by)
     {
-      before_growth(solid, crystal());
+      begin_growth(solid, crystal());
       radius += by, phi = grown::disc(mesh, centre, radius, width);
       seed_new_points(solid, crystal());
     }
@@ -54,7 +54,7 @@ TEST(Growing, ActivationGivesAllOfTheAreaToPointsAndLedger)
   Disc disc;
   disc.time = 3.;
   disc.activate();
-  const Ledger now = ledger(disc.solid);
+  const AreaBudget now = area_budget(disc.solid);
   const double area = medium::solid_area(disc.phi, disc.mesh);
   EXPECT_NEAR(now.points + now.owed, area, 1e-10 * area);
   EXPECT_NEAR(mass(disc.solid), disc.solid.material.density * now.points, 1e-10 * area);
@@ -73,7 +73,7 @@ TEST(Growing, ADiscWithoutLoadStaysFreeOfStressAndItsMassFollowsItsArea)
     advance(disc.solid, 5. * stable_step(disc.solid));
     disc.grow(step);
   }
-  const Ledger now = ledger(disc.solid);
+  const AreaBudget now = area_budget(disc.solid);
   const double area = medium::solid_area(disc.phi, disc.mesh);
   EXPECT_NEAR(now.points + now.owed, area, 1e-10 * area);
   EXPECT_NEAR(now.imbalance(), 0., 1e-10 * area);
@@ -101,11 +101,11 @@ TEST(Growing, MeltingBackEmptiesIt)
   for (int k = 0; k < 170; ++k)
   {
     disc.grow(-step);
-    const Ledger now = ledger(disc.solid);
+    const AreaBudget now = area_budget(disc.solid);
     ASSERT_NEAR(now.imbalance(), 0., 1e-10 * area) << k;
     ASSERT_NEAR(now.points + now.owed, now.phi, 1e-10 * area) << k;
   }
-  const Ledger now = ledger(disc.solid);
+  const AreaBudget now = area_budget(disc.solid);
   EXPECT_EQ(now.phi, 0.);
   EXPECT_EQ(points(disc.solid), 0);
   EXPECT_NEAR(now.melted, area, 1e-10 * area);
@@ -118,11 +118,11 @@ TEST(Growing, AdvectionOfTheMarkerIsNoGrowth)
   disc.activate();
   const long before = points(disc.solid);
   disc.phi = grown::disc(disc.mesh, centre + Point(0.04, 0.03), disc.radius, width);
-  before_growth(disc.solid, disc.crystal());
+  begin_growth(disc.solid, disc.crystal());
   seed_new_points(disc.solid, disc.crystal());
   EXPECT_EQ(points(disc.solid), before);
-  EXPECT_EQ(ledger(disc.solid).grown, 0.);
-  EXPECT_NEAR(ledger(disc.solid).imbalance(), 0., 1e-13) << "debts are handed on, not lost";
+  EXPECT_EQ(area_budget(disc.solid).grown, 0.);
+  EXPECT_NEAR(area_budget(disc.solid).imbalance(), 0., 1e-13) << "debts are handed on, not lost";
 }
 
 TEST(Growing, NewPointsMoveWithTheSolidAndBringTheirEnergy)
@@ -134,7 +134,7 @@ TEST(Growing, NewPointsMoveWithTheSolidAndBringTheirEnergy)
   disc.solid.energy.start = kinetic_energy(disc.solid);
   advance(disc.solid, stable_step(disc.solid));
   disc.grow(0.02);
-  ASSERT_GT(ledger(disc.solid).seeded_points, 20);
+  ASSERT_GT(area_budget(disc.solid).seeded_points, 20);
   for (std::size_t p = 0; p < disc.solid.points.size(); ++p)
   {
     ASSERT_NEAR(disc.solid.points.vx[p], 0.2, 1e-12);

@@ -48,10 +48,10 @@ namespace
     return sums;
   }
 
-  void follow(solid::Solid &block, const double dt)
+  void tie(solid::Solid &block, const double dt)
   {
     const double full = block.material.density * block.grid.dx * block.grid.dx;
-    solid::follow(block.light_nodes, block.supports, block.grid, floor_part * full, dt, 1);
+    solid::tie_light_nodes(block.light_nodes, block.supports, block.grid, floor_part * full, dt, 1);
   }
 } // namespace
 
@@ -75,7 +75,7 @@ TEST(LightNodes, AreHeldBackWithoutLossOfMomentum)
         before += std::hypot(grid.velocity[n].x, grid.velocity[n].y);
     }
   const Sums old = sums(grid);
-  follow(*block, dt);
+  tie(*block, dt);
   const Sums now = sums(grid);
   for (std::size_t n = 0; n < grid.nodes.size(); ++n)
     if (grid.mass[n] > 0. && grid.mass[n] < 0.1 * least)
@@ -102,7 +102,7 @@ TEST(LightNodes, FeelNoLinearAcceleration)
                          grid.nodes[n].motion = solid::Quad{0., f[0], 0., f[1]};
                          grid.velocity[n] = {a[0], a[1]}; // dt = 1
                        });
-  follow(*block, 1.);
+  tie(*block, 1.);
   double worst = 0.;
   solid::for_each_node(grid,
                        [&](const int i, const int j, const std::ptrdiff_t n)

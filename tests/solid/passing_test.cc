@@ -77,7 +77,8 @@ namespace
         const double into = 0.05 + way * k / calls;
         const double position = upper(side) ? size - into : into;
         const double other = upper(side) ? 0. : size;
-        follow_walls(*owner, {{side, position, inward * speed}, {opposite(side), other, 0.}}, dt);
+        set_wall_motions(*owner, {{side, position, inward * speed}, {opposite(side), other, 0.}},
+                         dt);
         advance(*owner, dt);
         const double nearest = inward > 0. ? *std::min_element(x.begin(), x.end())
                                            : *std::max_element(x.begin(), x.end());

@@ -94,7 +94,7 @@ TEST(BadInput, ABodyOutOfTheDomainIsRefused)
   EXPECT_NE(message(scene).find("out of the domain"), std::string::npos);
 }
 
-TEST(Trouble, APointLeavingTheMeshIsFoundWithItsPlace)
+TEST(NumericalError, APointLeavingTheMeshIsFoundWithItsPlace)
 {
   scene::Scene scene = small::rectangle({1., 1.}, {1., 1.}, {3., 3.}, {15, 15});
   scene.bodies[0].velocity[0] = small::text("5");
@@ -104,19 +104,19 @@ TEST(Trouble, APointLeavingTheMeshIsFoundWithItsPlace)
     solid::advance(*block, 1.);
     FAIL() << "it crossed the side of the domain unseen";
   }
-  catch (const solid::Trouble &trouble)
+  catch (const solid::NumericalError &trouble)
   {
     EXPECT_NEAR(trouble.place[0], 3., 0.2);
     EXPECT_NE(std::string(trouble.what()).find("left the mesh"), std::string::npos);
   }
 }
 
-TEST(Trouble, TooLargeAStepIsFoundWithinFewSteps)
+TEST(NumericalError, TooLargeAStepIsFoundWithinFewSteps)
 {
   scene::Scene scene = small::sheared_bar(10, 1.);
   scene.mpm->step_fraction = 3.;
   const solid::Owner bar = solid::make_solid(scene);
-  EXPECT_THROW(solid::advance(*bar, 1.), solid::Trouble);
+  EXPECT_THROW(solid::advance(*bar, 1.), solid::NumericalError);
   EXPECT_LT(solid::steps(*bar), 200);
 }
 
@@ -163,7 +163,7 @@ TEST(Observation, IsTheSameOfSomePointsAsOfAll)
   scene.bodies[0].velocity[0] = small::text("0.3*sin(3*X)*Y");
   const solid::Owner block = solid::make_solid(scene);
   solid::advance(*block, 0.3);
-  const solid::Chosen all = solid::all_points(*block), some{7, 50, 51, 99};
+  const solid::PointSelection all = solid::all_points(*block), some{7, 50, 51, 99};
   for (const char *name : {"log_strain_xx", "displacement_x", "von_mises", "jacobian"})
   {
     const auto of_all = solid::field(*block, name, all), of_some = solid::field(*block, name, some);

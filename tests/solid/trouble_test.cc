@@ -35,7 +35,7 @@ namespace
       while (solid::steps(solid) < first + steps)
         solid::advance(solid, 0.999 * solid::stable_step(solid));
     }
-    catch (const solid::Trouble &trouble)
+    catch (const solid::NumericalError &trouble)
     {
       EXPECT_EQ(trouble.step, solid::steps(solid));
       EXPECT_EQ(trouble.time, solid.time);
@@ -63,7 +63,7 @@ namespace
 } // namespace
 
 // A body force that is no number from some time on.
-TEST(Trouble, APointThatIsNoLongerFiniteIsFoundAtOnce)
+TEST(NumericalError, APointThatIsNoLongerFiniteIsFoundAtOnce)
 {
   scene::Scene scene = block();
   push(scene, "sqrt(0.01 - t)");
@@ -74,7 +74,7 @@ TEST(Trouble, APointThatIsNoLongerFiniteIsFoundAtOnce)
   EXPECT_LT(owner->time, 0.01 + 3. * 0.4 * 0.2 / owner->material.wave_speed());
 }
 
-TEST(Trouble, AStressThatIsNoNumberIsFoundAtOnce)
+TEST(NumericalError, AStressThatIsNoNumberIsFoundAtOnce)
 {
   const solid::Owner owner = solid::make_solid(block());
   ASSERT_EQ(stopped_within(*owner, 3), "");
@@ -84,7 +84,7 @@ TEST(Trouble, AStressThatIsNoNumberIsFoundAtOnce)
 }
 
 // Supports at either end that are driven through each other.
-TEST(Trouble, APointTurnedInsideOutIsFoundBeforeTheEndsHavePassed)
+TEST(NumericalError, APointTurnedInsideOutIsFoundBeforeTheEndsHavePassed)
 {
   scene::Scene scene = block();
   small::hold(scene, "left", Edge::left, "0", "0");
@@ -96,7 +96,7 @@ TEST(Trouble, APointTurnedInsideOutIsFoundBeforeTheEndsHavePassed)
 }
 
 // As much in a step as would take the block across a cell.
-TEST(Trouble, APointThatIsTooFastForTheStepIsFoundAtOnce)
+TEST(NumericalError, APointThatIsTooFastForTheStepIsFoundAtOnce)
 {
   scene::Scene scene = block();
   push(scene, "t < 0.01 ? 0 : 1e5");
@@ -106,7 +106,7 @@ TEST(Trouble, APointThatIsTooFastForTheStepIsFoundAtOnce)
   EXPECT_LT(owner->time, 0.01 + 3. * 0.4 * 0.2 / owner->material.wave_speed());
 }
 
-TEST(Trouble, MotionFromNowhereIsFoundAtOnce)
+TEST(NumericalError, MotionFromNowhereIsFoundAtOnce)
 {
   scene::Scene scene = block();
   scene.bodies[0].velocity[0] = small::text("0.1");
@@ -121,7 +121,7 @@ TEST(Trouble, MotionFromNowhereIsFoundAtOnce)
 }
 
 // Driven as a whole: whatever the stresses do, nothing gets faster.
-TEST(Trouble, StressFromNowhereIsFoundWithinThirtyTwoSteps)
+TEST(NumericalError, StressFromNowhereIsFoundWithinThirtyTwoSteps)
 {
   for (const double factor : {1.2, 1.5})
   {
@@ -142,7 +142,7 @@ TEST(Trouble, StressFromNowhereIsFoundWithinThirtyTwoSteps)
 
 // Whenever it comes, also just before the account is drawn up: in its first step the stress is
 // there before its work.
-TEST(Trouble, ALoadThatSetsInIsNoStressFromNowhere)
+TEST(NumericalError, ALoadThatSetsInIsNoStressFromNowhere)
 {
   for (int begin = 60; begin <= 66; ++begin)
   {

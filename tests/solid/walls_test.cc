@@ -6,7 +6,7 @@
 
 #include "grown_scene.h"
 #include "solid/energy.h"
-#include "solid/stock.h"
+#include "solid/state_check.h"
 #include "solid/walls.h"
 
 namespace
@@ -63,7 +63,7 @@ namespace
           const double next = target(side, double(k) / calls);
           motions.push_back({side, next, (next - now) / dt}), now = next;
         }
-        follow_walls(solid, motions, dt);
+        set_wall_motions(solid, motions, dt);
         advance(solid, dt);
         look(double(k) / calls);
       }
@@ -101,16 +101,16 @@ TEST(Walls, MendOnePointAndHideNoOther)
   solid.shares[0].bad = 0;
   solid.points.y[0] = 2. + 0.1 * dx;
   const double dt = 0.1 * dx / solid.material.wave_speed();
-  EXPECT_NO_THROW(take_stock(solid, dt));
+  EXPECT_NO_THROW(check_state(solid, dt));
   EXPECT_LT(solid.points.y[0], 2.);
   solid.points.y[0] = 2. + 0.1 * dx;
   solid.points.vx[5] = dx / dt;
   try
   {
-    take_stock(solid, dt);
+    check_state(solid, dt);
     FAIL() << "it went on";
   }
-  catch (const Trouble &trouble)
+  catch (const NumericalError &trouble)
   {
     EXPECT_NE(std::string(trouble.what()).find("crosses half a cell"), std::string::npos)
         << trouble.what();
@@ -281,10 +281,10 @@ TEST(Walls, MeanVelocityOnTheNodesIsThatAtTheirPlaces)
     points.vx[p] = points.vy[p] = 0.;
     points.vy[p] = -rate * (points.y[p] - 1.), points.lyy[p] = -rate;
   }
-  follow_walls(press.solid,
-               {{Edge::bottom, bottom + 0.495 * rate * dt, 0.495 * rate},
-                {Edge::top, top - 0.495 * rate * dt, -0.495 * rate}},
-               dt);
+  set_wall_motions(press.solid,
+                   {{Edge::bottom, bottom + 0.495 * rate * dt, 0.495 * rate},
+                    {Edge::top, top - 0.495 * rate * dt, -0.495 * rate}},
+                   dt);
   NodalVelocity mean;
   advance(press.solid, dt, &mean);
   for (int j = 10; j <= 30; ++j)

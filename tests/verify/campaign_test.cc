@@ -227,7 +227,7 @@ namespace
     w.write("cases/bar/expect.toml", "title = \"bar\"\n" + run_with(set) + check);
     auto options = w.options();
     options.accept = true;
-    EXPECT_EQ(run_campaign(options, w.places()).exit_code, 0);
+    EXPECT_EQ(run_campaign(options, w.paths()).exit_code, 0);
   }
 } // namespace
 

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "expect.h"
-#include "places.h"
+#include "paths.h"
 #include "scene/reader.h"
 #include "section.h"
 #include "stability_cells.h"
@@ -18,7 +18,7 @@ namespace
   template <class Read>
   int read_all(const std::string &file, const Read &read)
   {
-    verify::Places places;
+    verify::Paths places;
     places.cases = CASES;
     int count = 0;
     for (const std::string &name : verify::case_names(places))

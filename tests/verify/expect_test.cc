@@ -8,7 +8,7 @@ using namespace verify;
 
 namespace
 {
-  std::string complaint(const std::string &expect)
+  std::string error_of(const std::string &expect)
   {
     const Workspace w;
     w.write("cases/bar/expect.toml", expect);
@@ -28,7 +28,7 @@ namespace
 
 TEST(Expectations, NameAnUnknownKeyAndTheNearestKnownOne)
 {
-  const std::string text = complaint(head + "expect_exitt = 2\n");
+  const std::string text = error_of(head + "expect_exitt = 2\n");
   EXPECT_NE(text.find("expect_exitt"), std::string::npos) << text;
   EXPECT_NE(text.find("did you mean `expect_exit`"), std::string::npos) << text;
   EXPECT_NE(text.find("expect.toml"), std::string::npos) << text;
@@ -37,8 +37,8 @@ TEST(Expectations, NameAnUnknownKeyAndTheNearestKnownOne)
 TEST(Expectations, ReportAllErrorsInOnePass)
 {
   const std::string text =
-      complaint("[[run]]\nsolver = \"abaqus\"\n" + check +
-                "take = {run = \"nobody\", line = \"l\"}\nnorm = \"biggest\"\nlimit = 1\n");
+      error_of("[[run]]\nsolver = \"abaqus\"\n" + check +
+               "take = {run = \"nobody\", line = \"l\"}\nnorm = \"biggest\"\nlimit = 1\n");
   for (const char *part :
        {"`title` is missing", "mpm_pf", "no such norm", "`of` is missing", "nobody"})
     EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
@@ -46,20 +46,20 @@ TEST(Expectations, ReportAllErrorsInOnePass)
 
 TEST(Expectations, WantTwoSidedLimitsOfValuesAndOrders)
 {
-  const std::string text = complaint(
+  const std::string text = error_of(
       head + check + "take = {run = \"mpm_pf\", number = \"n\"}\nnorm = \"value\"\nlimit = 1\n");
   EXPECT_NE(text.find("two-sided"), std::string::npos) << text;
 }
 
 TEST(Expectations, RefuseNormsThatDoNotFit)
 {
-  EXPECT_NE(complaint(head + check +
-                      "take = {run = \"mpm_pf\", outline = \"o\"}\nagainst = \"zero\"\nnorm = "
-                      "\"max\"\nlimit = 1\n")
+  EXPECT_NE(error_of(head + check +
+                     "take = {run = \"mpm_pf\", outline = \"o\"}\nagainst = \"zero\"\nnorm = "
+                     "\"max\"\nlimit = 1\n")
                 .find("outlines"),
             std::string::npos);
-  EXPECT_NE(complaint(head + check +
-                      "take = {run = \"mpm_pf\", number = \"n\"}\nnorm = \"relative\"\nlimit = 1\n")
+  EXPECT_NE(error_of(head + check +
+                     "take = {run = \"mpm_pf\", number = \"n\"}\nnorm = \"relative\"\nlimit = 1\n")
                 .find("against"),
             std::string::npos);
 }
@@ -68,8 +68,8 @@ TEST(Expectations, NameTheMirrorsThatThereAre)
 {
   const auto told = [](const std::string &take)
   {
-    return complaint(head + check + "take = {run = \"mpm_pf\", " + take +
-                     "}\nagainst = \"zero\"\nnorm = \"absolute\"\nlimit = 1\n");
+    return error_of(head + check + "take = {run = \"mpm_pf\", " + take +
+                    "}\nagainst = \"zero\"\nnorm = \"absolute\"\nlimit = 1\n");
   };
   EXPECT_EQ(told("outline = \"o\", of = \"area\", mirror = \"x\""), "");
   EXPECT_NE(told("outline = \"o\", of = \"area\", mirror = \"xy\"").find("no such mirror: `xy`"),
@@ -84,16 +84,16 @@ TEST(Expectations, RefuseNormsOfNumbersForCurvesAndIntegralsOfSnapshots)
   for (const char *norm : {"relative", "absolute"})
   {
     const std::string limit = "norm = \"" + std::string(norm) + "\"\nlimit = 1\n";
-    EXPECT_NE(complaint(head + check + table + "}\n" + zero + limit).find("a curve"),
+    EXPECT_NE(error_of(head + check + table + "}\n" + zero + limit).find("a curve"),
               std::string::npos);
-    EXPECT_EQ(complaint(head + check + table + ", at = 1}\n" + zero + limit), "");
-    EXPECT_EQ(complaint(head + check + table + ", reduce = \"max\"}\n" + zero + limit), "");
+    EXPECT_EQ(error_of(head + check + table + ", at = 1}\n" + zero + limit), "");
+    EXPECT_EQ(error_of(head + check + table + ", reduce = \"max\"}\n" + zero + limit), "");
   }
   const auto reduced = [](const std::string &how)
   {
-    return complaint(head + check +
-                     "take = {run = \"mpm_pf\", snapshot = \"s\", of = \"u\", reduce = \"" + how +
-                     "\"}\nagainst = \"zero\"\nnorm = \"absolute\"\nlimit = 1\n");
+    return error_of(head + check +
+                    "take = {run = \"mpm_pf\", snapshot = \"s\", of = \"u\", reduce = \"" + how +
+                    "\"}\nagainst = \"zero\"\nnorm = \"absolute\"\nlimit = 1\n");
   };
   for (const char *how : {"integral", "slope", "ripple"})
     EXPECT_NE(reduced(how).find("no abscissa"), std::string::npos) << how;
@@ -122,9 +122,9 @@ TEST(Expectations, ResolveTablesBySuiteAndConstants)
 TEST(Expectations, NeedAMeshSizeForAnOrder)
 {
   const std::string text =
-      complaint(head + "[[run]]\nname = \"b\"\nsolver = \"mpm_pf\"\nh = 1\n" + check +
-                "order_over = [\"mpm_pf\", \"b\"]\ntake = {line = \"l\", of = \"u\"}\nagainst = "
-                "\"zero\"\nnorm = \"l2\"\nlimit = [1, 3]\n");
+      error_of(head + "[[run]]\nname = \"b\"\nsolver = \"mpm_pf\"\nh = 1\n" + check +
+               "order_over = [\"mpm_pf\", \"b\"]\ntake = {line = \"l\", of = \"u\"}\nagainst = "
+               "\"zero\"\nnorm = \"l2\"\nlimit = [1, 3]\n");
   EXPECT_NE(text.find("mesh size"), std::string::npos) << text;
 }
 
@@ -133,7 +133,7 @@ TEST(Expectations, ExamineFormulasBeforeAnythingRuns)
   const std::string number = "take = {run = \"mpm_pf\", number = \"n\"}\n";
   const auto told = [&](const std::string &rest, const std::string &part)
   {
-    const std::string text = complaint(head + check + rest);
+    const std::string text = error_of(head + check + rest);
     EXPECT_NE(text.find(part), std::string::npos) << rest << part << "\n" << text;
     EXPECT_NE(text.find("expect.toml"), std::string::npos) << rest << text;
   };
@@ -149,8 +149,8 @@ TEST(Expectations, ExamineFormulasBeforeAnythingRuns)
        "\"zero\"\nnorm = \"absolute\"\nlimit = 1\n",
        "u +* v");
   // Columns are known only when the record is.
-  EXPECT_EQ(complaint(head + check +
-                      "take = {run = \"mpm_pf\", table = \"t\", of = \"u + v\", reduce = "
-                      "\"max\"}\nagainst = \"zero\"\nnorm = \"absolute\"\nlimit = 1\n"),
+  EXPECT_EQ(error_of(head + check +
+                     "take = {run = \"mpm_pf\", table = \"t\", of = \"u + v\", reduce = "
+                     "\"max\"}\nagainst = \"zero\"\nnorm = \"absolute\"\nlimit = 1\n"),
             "");
 }

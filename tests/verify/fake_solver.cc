@@ -7,7 +7,7 @@
 //   sleep             seconds of waiting;  burn: seconds of CPU time
 //   short             the history ends at this time instead of 1
 //   nan               1: the line probe holds an infinite value
-//   foretold          seconds that --plan foretells instead of what will be burnt
+//   foretold          seconds that --plan forecasts instead of what will be burnt
 //   skew              the outline is a parallelogram about the origin, sheared by this
 //   growth            the energy grows by this factor per unit of time
 //   hole              exit code 2 if the growth is this
@@ -128,8 +128,8 @@ int main(int argc, char **argv)
   scene::Scene scene;
   scene.file = command.scene;
   scene.text = "title = \"fake\"\n[clock]\nend = 1.0\n";
-  record::Writer writer(command.record_path(), record::collect(name, command.joined, 1), scene,
-                        command.force);
+  record::Writer writer(command.record_path(), record::collect_provenance(name, command.joined, 1),
+                        scene, command.force);
   write(writer, s);
   record::Profile profile;
   profile.numbers = {{"steps", 100.}, {"cells", 16.}, {"points", 64.}, {"bytes points", 5e6}};

@@ -1,4 +1,4 @@
-// What solvers foretell (`--plan`), held against what their runs took.
+// What solvers forecast (`--plan`), held against what their runs took.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ namespace
     return verify::forecast_verdict(run);
   }
 
-  verify::Forecast foretold(const double cpu_s, const double solver, const double resident)
+  verify::Forecast forecast_of(const double cpu_s, const double solver, const double resident)
   {
     verify::Forecast forecast;
     forecast.cpu_s = cpu_s;
@@ -49,7 +49,7 @@ TEST(Forecast, ThatCameTrueIsMet)
   const json campaign = forecasts_of(w, "\"fake.burn=1.2\"");
   const json &run = campaign["cases"][0]["runs"][0];
   EXPECT_EQ(run["forecast"]["time"], "met") << run["forecast"];
-  EXPECT_EQ(run["forecast"]["memory"], "met"); // 5 MB foretold and held
+  EXPECT_EQ(run["forecast"]["memory"], "met"); // 5 MB predicted and held
   EXPECT_EQ(run["forecast"]["on"], "everything (line 1)");
   EXPECT_EQ(run["forecast"]["bytes"]["points"], 5e6);
   EXPECT_EQ(campaign["forecasts"]["time"]["met"], 1);
@@ -79,7 +79,7 @@ TEST(Forecast, OfSomeSecondsIsShownAsMissedAndDoesNotFail)
   EXPECT_EQ(campaign["exit_code"], 0);
 }
 
-// Starting up decides below a second: 0.1 s foretold as 0.01 s says nothing about the solver.
+// Starting up decides below a second: 0.1 s predicted as 0.01 s says nothing about the solver.
 TEST(Forecast, OfAShortRunIsNotJudgedByItsTime)
 {
   const Workspace w;
@@ -92,26 +92,26 @@ TEST(Forecast, OfAShortRunIsNotJudgedByItsTime)
 TEST(Forecast, ThatIsNoNumberNeverPasses)
 {
   using verify::Status;
-  ASSERT_EQ(judged(foretold(30., 4e7, 1e8)).status, Status::pass);
+  ASSERT_EQ(judged(forecast_of(30., 4e7, 1e8)).status, Status::pass);
   const double absent = std::nan("");
-  EXPECT_NE(judged(foretold(absent, 4e7, 1e8)).status, Status::pass);
-  EXPECT_NE(judged(foretold(30., absent, 1e8)).status, Status::pass);
-  EXPECT_NE(judged(foretold(30., 4e7, absent)).status, Status::pass);
+  EXPECT_NE(judged(forecast_of(absent, 4e7, 1e8)).status, Status::pass);
+  EXPECT_NE(judged(forecast_of(30., absent, 1e8)).status, Status::pass);
+  EXPECT_NE(judged(forecast_of(30., 4e7, absent)).status, Status::pass);
 }
 
 TEST(Forecast, OfTheSolversMemoryCountsFromOneMegabyteOn)
 {
   using verify::Status;
-  EXPECT_EQ(judged(foretold(30., 4.3e7, 1e8)).status, Status::pass);
-  EXPECT_EQ(judged(foretold(30., 4.5e7, 1e8)).status, Status::fail);
+  EXPECT_EQ(judged(forecast_of(30., 4.3e7, 1e8)).status, Status::pass);
+  EXPECT_EQ(judged(forecast_of(30., 4.5e7, 1e8)).status, Status::fail);
   auto small = long_run();
   small["profile"]["bytes points"] = 2e5;
-  verify::add_forecast(foretold(30., 9e5, 1e8), small);
+  verify::add_forecast(forecast_of(30., 9e5, 1e8), small);
   EXPECT_EQ(small["forecast"]["memory"], "not judged");
-  EXPECT_EQ(judged(foretold(30., 2e6, 1e8), small).status, Status::fail);
+  EXPECT_EQ(judged(forecast_of(30., 2e6, 1e8), small).status, Status::fail);
 }
 
-// Two runs that foretell 9.5 s and take none: too short to be judged one by one.
+// Two runs that forecast 9.5 s and take none: too short to be judged one by one.
 TEST(Forecast, OfShortRunsFailsTheCampaignInSum)
 {
   const Workspace w;
@@ -130,7 +130,7 @@ TEST(Forecast, OfShortRunsFailsTheCampaignInSum)
 TEST(Forecast, OfShortRunsCountsFromTenSecondsInSumOn)
 {
   const auto sum =
-      [](const int count, const double foretold_s, const double measured_s, const char *solver)
+      [](const int count, const double forecast_s, const double measured_s, const char *solver)
   {
     std::vector<nlohmann::ordered_json> runs;
     for (int k = 0; k < count; ++k)
@@ -138,7 +138,7 @@ TEST(Forecast, OfShortRunsCountsFromTenSecondsInSumOn)
       auto run = long_run();
       run["cpu_s"] = measured_s;
       run["solver"] = solver;
-      verify::add_forecast(foretold(foretold_s, 4e7, 1e8), run);
+      verify::add_forecast(forecast_of(forecast_s, 4e7, 1e8), run);
       runs.push_back(run);
     }
     runs.push_back({{"name", "without a forecast"}, {"cpu_s", 5.}});

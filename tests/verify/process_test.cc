@@ -25,7 +25,7 @@ namespace
   }
 
   /// Polls until the child has ended; the largest CPU time that was seen meanwhile in `cpu_s`.
-  std::optional<Ended> end_of(Process &process, double &cpu_s)
+  std::optional<ProcessResult> end_of(Process &process, double &cpu_s)
   {
     const auto start = std::chrono::steady_clock::now();
     while (std::chrono::steady_clock::now() - start < std::chrono::seconds(60))
@@ -43,7 +43,7 @@ namespace
 TEST(Processes, CountTheTimeOfAllThatTheyStarted)
 {
   const Workspace w;
-  const std::string fake = w.places().solver("mpm_pf");
+  const std::string fake = w.paths().solver("mpm_pf");
   Process process(shell_command(w, "set -m; " + fake + " s.toml --output " + w.root.string() +
                                        " --set fake.burn=0.8 & wait"));
   double cpu_s = 0.;
@@ -88,7 +88,7 @@ TEST(Jobs, ThatWaitForEachOtherAreRefused)
 TEST(Scripts, MayLieInAFolderWithBlanksAndKeepTheirExitCodes)
 {
   const Workspace w;
-  Places places = w.places();
+  Paths places = w.paths();
   places.postprocess = (w.root / "post process's").string();
   w.write("post process's/ends.py", "import sys\nsys.exit(int(sys.argv[1]))\n");
   w.write("post process's/killed.py", "import os\nos.kill(os.getpid(), 9)\n");
@@ -103,6 +103,6 @@ TEST(Scripts, OfFiguresSayThatThereIsNothingToDraw)
   for (const auto &[ends_with, code] : {std::pair{0, 0}, {1, 1}, {4, 4}, {2, 2}, {77, 2}})
   {
     w.write("postprocess/figures.py", "import sys\nsys.exit(" + std::to_string(ends_with) + ")\n");
-    EXPECT_EQ(figures(w.places(), "anywhere"), code) << ends_with;
+    EXPECT_EQ(figures(w.paths(), "anywhere"), code) << ends_with;
   }
 }

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "commands.h"
-#include "safe.h"
+#include "safe_settings.h"
 #include "section.h"
 #include "workspace.h"
 
@@ -48,7 +48,7 @@ theory = "4*log(10)*(y0 + 2*y1)"
     w.write("cases/bar/stability.toml", text);
     CampaignOptions options = w.options();
     options.cases = {"bar"};
-    return stability(w.places(), options);
+    return stability(w.paths(), options);
   }
   nlohmann::json maps_of(const Workspace &w)
   {
@@ -193,16 +193,16 @@ namespace
   "bisected": [{"row": 0, "x": "0.3", "y": "[1, 1]", "class": "bounded but wrong"}],
   "edges": []}]})json";
 
-  /// What a run that diverged is told, by the map of `folder`.
-  std::string told(const std::string &scene, const std::string &set,
-                   const std::string &folder = "results")
+  /// The advice to a run that diverged, by the map of `folder`.
+  std::string advice(const std::string &scene, const std::string &set,
+                     const std::string &folder = "results")
   {
     const Workspace w;
     w.write("cases/bar/quick.toml", "title = \"bar\"\n" + scene);
     w.write(folder + "/stability/bar.json", known);
     const auto campaign =
         w.run("[[run]]\nsolver = \"mpm_pf\"\nset = [\"fake.exit=3\"" + set + "]\n");
-    return campaign.cases.at(0).outcomes.at(0).last_words;
+    return campaign.cases.at(0).outcomes.at(0).log_tail;
   }
   const std::string few = "step = 0.3 with points = [1, 1]",
                     many = "points = [3, 3] with step = 1.0";
@@ -212,23 +212,23 @@ TEST(SafeSetting, IsFoundFromTheSceneTheSettingsAndTheDefaults)
 {
   // from the scene, whatever the settings say of other things; both axes
   const std::string scene = "[mpm]\nstep_fraction = 0.9\npoints_per_cell = [1, 1]\n";
-  const std::string text = told(scene, "");
+  const std::string text = advice(scene, "");
   EXPECT_NE(text.find("known to be bounded but wrong: " + few), std::string::npos) << text;
   EXPECT_NE(text.find("known to be accurate: " + many), std::string::npos) << text;
-  EXPECT_EQ(told(scene, "", "elsewhere/full").find("known"), std::string::npos);
+  EXPECT_EQ(advice(scene, "", "elsewhere/full").find("known"), std::string::npos);
   // what --set says comes last
-  const std::string other = told(scene, ", \"mpm.step_fraction=8.0\"");
+  const std::string other = advice(scene, ", \"mpm.step_fraction=8.0\"");
   EXPECT_NE(other.find(few), std::string::npos) << other;
   EXPECT_EQ(other.find("known to be accurate"), std::string::npos) << "none in this column";
   // points_per_cell = [2, 2] is the default: as near to both rows, so the first
-  const std::string standard = told("[mpm]\nstep_fraction = 0.9\n", "");
+  const std::string standard = advice("[mpm]\nstep_fraction = 0.9\n", "");
   EXPECT_NE(standard.find(few), std::string::npos) << standard;
 }
 
 TEST(SafeSetting, StaysInTheRowOfTheRun)
 {
   // 7 is nearest to the column of 10; in the row of 3 x 3 points 1 is safe, and no other row counts
-  const std::string text = told("[mpm]\nstep_fraction = 7.0\npoints_per_cell = [3, 3]\n", "");
+  const std::string text = advice("[mpm]\nstep_fraction = 7.0\npoints_per_cell = [3, 3]\n", "");
   EXPECT_NE(text.find("known to be accurate: step = 1.0 with points = [3, 3]"), std::string::npos)
       << text;
   EXPECT_EQ(text.find("[1, 1]"), std::string::npos) << text;
@@ -238,8 +238,8 @@ TEST(SafeSetting, StaysInTheRowOfTheRun)
 TEST(SafeSetting, IsNothingWhereTheMapFindsNoFault)
 {
   const std::string scene = "[mpm]\nstep_fraction = 1.0\npoints_per_cell = [3, 3]\n";
-  EXPECT_EQ(told(scene, "").find("known"), std::string::npos);
-  EXPECT_NE(told(scene, ", \"mpm.step_fraction=1.1\"").find("known"), std::string::npos);
+  EXPECT_EQ(advice(scene, "").find("known"), std::string::npos);
+  EXPECT_NE(advice(scene, ", \"mpm.step_fraction=1.1\"").find("known"), std::string::npos);
 }
 
 TEST(SafeSetting, IsAlsoThatOfTheFullMapsBesideTheFolder)
@@ -260,6 +260,6 @@ TEST(SafeSetting, IsAlsoThatOfTheFullMapsBesideTheFolder)
 TEST(SafeSetting, IsNothingWhereTheMapVariesWhatTheRunDoesNotHave)
 {
   EXPECT_EQ(
-      told("[mpm]\nstep_fraction = 0.9\npoints_per_cell = [[1, 1], [1, 1]]\n", "").find("known"),
+      advice("[mpm]\nstep_fraction = 0.9\npoints_per_cell = [[1, 1], [1, 1]]\n", "").find("known"),
       std::string::npos);
 }

@@ -55,7 +55,7 @@ lists = {"fake.exit" = [3]}
     {
       w.write("cases/bar/expect.toml", "title = \"bar\"\n[[run]]\nsolver = \"mpm_pf\"\n");
       w.write("cases/bar/tradeoff.toml", trade);
-      EXPECT_EQ(tradeoff(w.places(), "bar", w.options()), 0);
+      EXPECT_EQ(tradeoff(w.paths(), "bar", w.options()), 0);
       result = nlohmann::json::parse(w.read("results/tradeoff/bar.json"));
     }
   };
@@ -89,7 +89,7 @@ TEST(Advice, IsTheCheapestMeasuredRowAndItsRerunMeetsTheError)
   const Workspace &w = measured().w;
   const std::string output = w.options().output;
   testing::internal::CaptureStdout();
-  EXPECT_EQ(advise(w.places(), "bar", "largest", "4%", output), 0);
+  EXPECT_EQ(advise(w.paths(), "bar", "largest", "4%", output), 0);
   const std::string advice = testing::internal::GetCapturedStdout();
   // 0.1 h^2 = 0.025 at h = 0.5 (0.15 s) meets 0.04/1.25 = 0.032, h = 1 does not
   EXPECT_NE(advice.find("h=0.5"), std::string::npos) << advice;
@@ -106,10 +106,10 @@ TEST(Advice, NeverExtrapolates)
 {
   const Workspace &w = measured().w;
   const std::string output = w.options().output;
-  EXPECT_EQ(advise(w.places(), "bar", "largest", "0.01%", output), 1);
-  EXPECT_EQ(advise(w.places(), "bar", "largest", "4%", output + "/nothing"), 4);
-  EXPECT_THROW(advise(w.places(), "bar", "colour", "4%", output), BadInput);
-  EXPECT_THROW(advise(w.places(), "bar", "largest", "fast", output), BadInput);
+  EXPECT_EQ(advise(w.paths(), "bar", "largest", "0.01%", output), 1);
+  EXPECT_EQ(advise(w.paths(), "bar", "largest", "4%", output + "/nothing"), 4);
+  EXPECT_THROW(advise(w.paths(), "bar", "colour", "4%", output), BadInput);
+  EXPECT_THROW(advise(w.paths(), "bar", "largest", "fast", output), BadInput);
 }
 
 TEST(Tradeoff, FailsWhereNoRowHasAnError)
@@ -119,7 +119,7 @@ TEST(Tradeoff, FailsWhereNoRowHasAnError)
   w.write("cases/bar/tradeoff.toml",
           "[[quantity]]\nname = \"q\"\ntake = {number = \"no such\"}\nagainst = {number = 1}\n"
           "norms = [\"relative\"]\n[[family]]\nname = \"f\"\nlists = {\"fake.h\" = [1]}\n");
-  EXPECT_EQ(tradeoff(w.places(), "bar", w.options()), 1);
+  EXPECT_EQ(tradeoff(w.paths(), "bar", w.options()), 1);
 }
 
 // What is refused is no point of a trade: a key that is gone would otherwise fade from the page.
@@ -131,7 +131,7 @@ TEST(Tradeoff, FailsWhereARowIsRefusedAndSaysWhy)
           "[[quantity]]\nname = \"q\"\ntake = {number = \"largest\"}\nagainst = {number = 1}\n"
           "norms = [\"relative\"]\n[[family]]\nname = \"f\"\nlists = {\"fake.exit\" = [0, 2]}\n");
   testing::internal::CaptureStdout();
-  EXPECT_EQ(tradeoff(w.places(), "bar", w.options()), 2);
+  EXPECT_EQ(tradeoff(w.paths(), "bar", w.options()), 2);
   const std::string said = testing::internal::GetCapturedStdout();
   EXPECT_NE(said.find("a row of `f` was refused"), std::string::npos) << said;
   const auto rows = nlohmann::json::parse(w.read("results/tradeoff/bar.json"))["rows"];
@@ -150,7 +150,7 @@ TEST(Advice, CallsTheErrorOfALoneReferenceUnknown)
           "[[quantity]]\nname = \"theory\"\ntake = {number = \"largest\"}\nnorms = [\"relative\"]\n"
           "against = {number = 1}\n[[family]]\nname = \"points\"\nset = [\"fake.error=0.01\"]\n"
           "[[family]]\nname = \"elements\"\nsolver = \"fe_reference\"\n");
-  ASSERT_EQ(tradeoff(w.places(), "bar", w.options()), 0);
+  ASSERT_EQ(tradeoff(w.paths(), "bar", w.options()), 0);
   const auto result = nlohmann::json::parse(w.read("results/tradeoff/bar.json"));
   const auto &reference = result["reference"];
   EXPECT_TRUE(reference["uncertainty"].at("q, relative").is_null());
@@ -161,7 +161,7 @@ TEST(Advice, CallsTheErrorOfALoneReferenceUnknown)
   EXPECT_TRUE(result["rows"][1]["errors"]["q, relative"].is_null());
   EXPECT_EQ(result["rows"][1]["errors"]["theory, relative"], 0.);
   testing::internal::CaptureStdout();
-  EXPECT_EQ(advise(w.places(), "bar", "q", "5%", w.options().output), 0);
+  EXPECT_EQ(advise(w.paths(), "bar", "q", "5%", w.options().output), 0);
   const std::string advice = testing::internal::GetCapturedStdout();
   EXPECT_NE(advice.find("uncertainty of the reference unknown"), std::string::npos) << advice;
   EXPECT_NE(advice.find("nobody measured"), std::string::npos) << advice;
@@ -177,7 +177,7 @@ TEST(Advice, TellsWhenItWasMeasuredAndWarnsOfAnotherProgram)
   {
     w.write("results/tradeoff/bar.json", old.dump());
     testing::internal::CaptureStdout();
-    EXPECT_EQ(advise(w.places(), "bar", "largest", "4%", output), 0);
+    EXPECT_EQ(advise(w.paths(), "bar", "largest", "4%", output), 0);
     return testing::internal::GetCapturedStdout();
   };
   EXPECT_NE(told().find("measured " + old["provenance"]["start"].get<std::string>()),

@@ -16,7 +16,7 @@ namespace
 {
   const std::string lone_run = "[[run]]\nsolver = \"mpm_pf\"\n";
 
-  std::string complaint(const std::string &runs)
+  std::string error_of(const std::string &runs)
   {
     const Workspace w;
     w.write("cases/bar/expect.toml", "title = \"bar\"\n" + runs);
@@ -39,13 +39,13 @@ namespace
 
 TEST(Needs, InACircleAreRefused)
 {
-  const std::string both = complaint(run_called("a", "\"b\"") + run_called("b", "\"a\""));
+  const std::string both = error_of(run_called("a", "\"b\"") + run_called("b", "\"a\""));
   EXPECT_NE(both.find("run `a` can never start"), std::string::npos) << both;
   EXPECT_NE(both.find("run `b` can never start"), std::string::npos) << both;
-  const std::string itself = complaint(run_called("a", "\"a\""));
+  const std::string itself = error_of(run_called("a", "\"a\""));
   EXPECT_NE(itself.find("run `a` can never start"), std::string::npos) << itself;
   EXPECT_EQ(
-      complaint(run_called("c", "\"a\", \"b\"") + run_called("b", "\"a\"") + run_called("a", "")),
+      error_of(run_called("c", "\"a\", \"b\"") + run_called("b", "\"a\"") + run_called("a", "")),
       "");
 }
 
@@ -58,7 +58,7 @@ TEST(Campaign, TellsTroubleAndTimeLimitOfARunThatMetBoth)
   const Outcome &outcome = campaign.cases[0].outcomes[0];
   EXPECT_EQ(outcome.status, "diverged");
   for (const char *said : {"its time limit of 0.2 s", "fake trouble, going back"})
-    EXPECT_NE(outcome.last_words.find(said), std::string::npos) << outcome.last_words;
+    EXPECT_NE(outcome.log_tail.find(said), std::string::npos) << outcome.log_tail;
 }
 
 TEST(Campaign, SurvivesALogOfAnyBytes)
@@ -94,7 +94,7 @@ TEST(Campaign, NamesRecordsInFoldersThatLookLikeNames)
               "set = [\"body.path='{first} {first}'\"]\n");
   auto options = w.options();
   options.output = (w.root / "{first}").string();
-  const auto campaign = run_campaign(options, w.places());
+  const auto campaign = run_campaign(options, w.paths());
   const std::string record = (w.root / "{first}/bar/quick/first.h5").string();
   EXPECT_EQ(campaign.cases[0].jobs[1].command.arguments.at(3),
             "body.path='" + record + " " + record + "'");
@@ -113,7 +113,7 @@ TEST(Campaign, KeepsTheAcceptedValuesWhereTheDiskIsFull)
   std::filesystem::create_symlink("/dev/full", w.root / "cases/bar/accepted.toml.part");
   auto options = w.options();
   options.accept = true;
-  EXPECT_THROW(run_campaign(options, w.places()), std::filesystem::filesystem_error);
+  EXPECT_THROW(run_campaign(options, w.paths()), std::filesystem::filesystem_error);
   EXPECT_EQ(w.read("cases/bar/accepted.toml"), "[quick]\n\"c\" = 1.0\n");
 }
 
@@ -124,7 +124,7 @@ TEST(List, NamesEveryCaseThoughOneIsBroken)
   w.write("cases/a broken one/quick.toml", "");
   w.write("cases/a broken one/expect.toml", "title = \"broken\"\n");
   testing::internal::CaptureStdout();
-  EXPECT_THROW(list(w.places()), BadInput);
+  EXPECT_THROW(list(w.paths()), BadInput);
   const std::string said = testing::internal::GetCapturedStdout();
   EXPECT_NE(said.find("runs: mpm_pf"), std::string::npos) << said;
 }
@@ -132,7 +132,7 @@ TEST(List, NamesEveryCaseThoughOneIsBroken)
 TEST(List, OfAFolderWithoutCasesIsRefused)
 {
   const Workspace w;
-  EXPECT_THROW(list(w.places()), BadInput); // bar has no expect.toml yet
+  EXPECT_THROW(list(w.paths()), BadInput); // bar has no expect.toml yet
 }
 
 TEST(Map, TakesAValueThatLooksLikeItsMark)
@@ -144,7 +144,7 @@ TEST(Map, TakesAValueThatLooksLikeItsMark)
   map.name = "m", map.solver = "mpm_pf", map.scene = "quick.toml";
   map.x.set = {"title={value}"};
   const auto options = w.options();
-  const Places places = w.places();
+  const Paths places = w.paths();
   const Mapper mapper{stability, places, options, (w.root / "runs").string()};
   EXPECT_EQ(mapper.cell(map, 0, "'{value}'", "").job.command.arguments.at(3), "title='{value}'");
 }

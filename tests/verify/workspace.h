@@ -43,15 +43,15 @@ struct Workspace
   }
   std::string folder() const { return (root / "cases" / "bar").string(); }
 
-  verify::Places places() const
+  verify::Paths paths() const
   {
-    verify::Places places;
-    places.cases = (root / "cases").string();
-    places.solvers = (root / "bin").string();
-    places.postprocess = (root / "postprocess").string();
-    places.program = "verify";
-    places.asked = {"--cases", "elsewhere"};
-    return places;
+    verify::Paths paths;
+    paths.cases = (root / "cases").string();
+    paths.solvers = (root / "bin").string();
+    paths.postprocess = (root / "postprocess").string();
+    paths.program = "verify";
+    paths.asked = {"--cases", "elsewhere"};
+    return paths;
   }
 
   verify::CampaignOptions options() const
@@ -67,6 +67,6 @@ struct Workspace
   verify::Campaign run(const std::string &expect) const
   {
     write("cases/bar/expect.toml", "title = \"bar\"\n" + expect);
-    return verify::run_campaign(options(), places());
+    return verify::run_campaign(options(), paths());
   }
 };

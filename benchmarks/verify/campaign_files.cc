@@ -1,4 +1,4 @@
-#include "written.h"
+#include "campaign_files.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "record/atomic_write.h"
 #include "record/provenance.h"
-#include "record/whole_file.h"
 #include "section.h"
 
 namespace verify
@@ -95,9 +95,9 @@ namespace verify
       }
     }
 
-    Json case_to_json(const CaseResult &result, const Campaign &campaign, const Places &places)
+    Json case_to_json(const CaseResult &result, const Campaign &campaign, const Paths &paths)
     {
-      const std::string repeat = repeat_case(places, result.c, campaign.options.output);
+      const std::string repeat = repeat_case(paths, result.c, campaign.options.output);
       Json json{{"case", result.c.name},   {"title", result.c.title}, {"about", result.c.about},
                 {"suite", result.c.suite}, {"scene", result.c.scene}, {"repeat", repeat}};
       json["checks"] = Json::array();
@@ -173,8 +173,8 @@ namespace verify
               {"log", job.command.log},
               {"hash", job.hash},
               {"repeat", shell(job.command.arguments)}};
-    if (!outcome.last_words.empty())
-      json["last_words"] = outcome.last_words;
+    if (!outcome.log_tail.empty())
+      json["last_words"] = outcome.log_tail;
     if (outcome.status == "complete")
       add_record(job.base + ".h5", json);
     return json;
@@ -199,12 +199,12 @@ namespace verify
   void write_text(const std::string &path, const std::string &text)
   {
     fs::create_directories(fs::path(path).parent_path());
-    record::write_whole_file(path, text);
+    record::write_atomically(path, text);
   }
 
   namespace
   {
-    /// How many forecasts were met, by what was foretold.
+    /// How many forecasts were met, by what was predicted.
     Json forecast_sums(const Json &cases)
     {
       Json sums;
@@ -223,20 +223,20 @@ namespace verify
     }
   } // namespace
 
-  void write_campaign(const Campaign &campaign, const Places &places)
+  void write_campaign(const Campaign &campaign, const Paths &paths)
   {
     const std::string &output = campaign.options.output;
     Json json{{"format", "mpm_pf campaign 1"},   {"suite", campaign.options.suite},
               {"started", campaign.started},     {"wall_s", campaign.wall_s},
               {"exit_code", campaign.exit_code}, {"cores", std::thread::hardware_concurrency()},
               {"jobs", campaign.options.cores}};
-    for (const auto &[name, value] :
-         record::collect("verify", shell({places.program, "run"}), campaign.options.cores))
+    for (const auto &[name, value] : record::collect_provenance(
+             "verify", shell({paths.program, "run"}), campaign.options.cores))
       json["provenance"][name] = value;
     json["cases"] = Json::array();
     for (const auto &result : campaign.cases)
     {
-      const Json verdict = case_to_json(result, campaign, places);
+      const Json verdict = case_to_json(result, campaign, paths);
       write_text(output + "/" + result.c.name + "/verdict.json", json_text(verdict));
       Json curves = Json::array();
       for (const auto &v : result.verdicts)
@@ -246,6 +246,6 @@ namespace verify
     }
     json["forecasts"] = forecast_sums(json["cases"]);
     write_text(output + "/campaign.json", json_text(json));
-    write_text(output + "/junit.xml", junit(campaign, places));
+    write_text(output + "/junit.xml", junit(campaign, paths));
   }
 } // namespace verify

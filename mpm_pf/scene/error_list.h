@@ -1,4 +1,4 @@
-// All that is wrong with a scene, collected so that the user hears of everything in one pass.
+// All that is wrong with a scene, collected so that all of it is reported in one pass.
 #pragma once
 
 #include <string>
@@ -8,31 +8,31 @@
 
 namespace scene
 {
-  class Complaints
+  class ErrorList
   {
   public:
-    /// One complaint about `at`: what was read and why it is wrong; what is allowed; what to do.
+    /// One error about `at`: what was read and why it is wrong; what is allowed; what to do.
     /// Empty parts are left out.
     void add(const Value &at, const std::string &cause, const std::string &allowed = "",
              const std::string &remedy = "");
-    /// A complaint that already carries its place (a syntax error of toml11).
-    void add(const Place &, const std::string &text);
+    /// An error that already carries its place (a syntax error of toml11).
+    void add(const SourceLocation &, const std::string &text);
 
     std::size_t count() const { return list.size(); }
-    /// Was there a complaint about this very value, or one inside it?
+    /// Was there an error about this very value, or one inside it?
     bool about(const Value &) const;
     /// All of them, file by file in order of lines, under a line that counts them.
     std::string text() const;
     /// Throws BadScene if there is any.
-    void settle() const;
+    void throw_if_any() const;
 
   private:
-    struct Complaint
+    struct Error
     {
-      Place place;
+      SourceLocation place;
       std::string text;
     };
-    std::vector<Complaint> list;
+    std::vector<Error> list;
   };
 
   /// The nearest of `known` to what was written, as `did you mean "..."?`, or nothing if none is
@@ -40,5 +40,5 @@ namespace scene
   std::string did_you_mean(const std::string &written, const std::vector<std::string> &known);
 
   /// a, b, c
-  std::string listed(const std::vector<std::string> &);
+  std::string comma_separated(const std::vector<std::string> &);
 } // namespace scene

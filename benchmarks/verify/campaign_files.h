@@ -16,9 +16,9 @@ namespace verify
   /// Curves and outlines of one verdict, thinned to what a picture can show.
   Json curves_to_json(const Verdict &);
 
-  /// Whole or not at all (record/whole_file.h), in a folder that is made if need be.
+  /// Whole or not at all (record/atomic_write.h), in a folder that is made if need be.
   void write_text(const std::string &path, const std::string &text);
   /// All of the above under the campaign's output folder.
-  void write_campaign(const Campaign &, const Places &);
-  std::string junit(const Campaign &, const Places &);
+  void write_campaign(const Campaign &, const Paths &);
+  std::string junit(const Campaign &, const Paths &);
 } // namespace verify

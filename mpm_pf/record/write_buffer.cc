@@ -1,4 +1,4 @@
-#include "record/pending.h"
+#include "record/write_buffer.h"
 
 #include <algorithm>
 #include <numeric>
@@ -116,13 +116,13 @@ namespace record
         series.columns.units = hdf5::texts_attribute(group, "units");
         const auto times = hdf5::read<double>(group, "time");
         const auto rows = count_until(times, time);
-        hdf5::keep_rows(group, "time", rows);
-        hdf5::keep_rows(group, "values", rows);
+        hdf5::truncate_rows(group, "time", rows);
+        hdf5::truncate_rows(group, "values", rows);
         if (rows > 0)
           kept[folder + "/" + name] = times[rows - 1];
         if (hdf5::exists(group, "position"))
         {
-          hdf5::keep_rows(group, "position", rows);
+          hdf5::truncate_rows(group, "position", rows);
           hdf5::Shape shape;
           hdf5::read<double>(group, "position", &shape);
           series.positions = shape.at(1);
@@ -146,40 +146,40 @@ namespace record
     }
   } // namespace
 
-  bool Pending::is_due(const std::size_t added_bytes)
+  bool WriteBuffer::is_due(const std::size_t added_bytes)
   {
     waiting_bytes += added_bytes;
     return waiting_bytes > most_waiting_bytes ||
            std::chrono::steady_clock::now() - last_write > longest_wait;
   }
 
-  bool Pending::is_there(const std::string &path, const double time) const
+  bool WriteBuffer::is_in_file(const std::string &path, const double time) const
   {
     const auto kept = kept_until.find(path);
     return kept != kept_until.end() && time <= kept->second;
   }
 
-  bool Pending::add_row(const std::string &name, const Columns &columns, const double time,
-                        const std::vector<double> &row)
+  bool WriteBuffer::add_row(const std::string &name, const Columns &columns, const double time,
+                            const std::vector<double> &row)
   {
     require_values(name, row.size(), columns.names.size());
     Series &series = declared(tables, name, columns, 0);
-    if (is_there("tables/" + name, time))
+    if (is_in_file("tables/" + name, time))
       return false;
     series.time.push_back(time);
     append(series.values, row);
     return is_due(sizeof(double) * (1 + row.size()));
   }
 
-  bool Pending::add_line(const std::string &name, const Columns &columns, const double time,
-                         const LineSample &sample)
+  bool WriteBuffer::add_line(const std::string &name, const Columns &columns, const double time,
+                             const LineSample &sample)
   {
     const std::size_t positions = sample.position.size();
     if (positions == 0)
       throw std::invalid_argument(name + ": a line needs positions");
     require_values(name, sample.values.size(), columns.names.size() * positions);
     Series &series = declared(lines, name, columns, positions);
-    if (is_there("lines/" + name, time))
+    if (is_in_file("lines/" + name, time))
       return false;
     series.time.push_back(time);
     append(series.position, flattened(sample.position));
@@ -187,10 +187,10 @@ namespace record
     return is_due(sizeof(double) * (1 + 2 * positions + sample.values.size()));
   }
 
-  bool Pending::add_outline(const std::string &name, const double time,
-                            const std::vector<Polyline> &curves)
+  bool WriteBuffer::add_outline(const std::string &name, const double time,
+                                const std::vector<Polyline> &curves)
   {
-    if (is_there("outlines/" + name, time))
+    if (is_in_file("outlines/" + name, time))
       return false;
     outlines[name].push_back({time, curves});
     std::size_t bytes = 0;
@@ -199,7 +199,7 @@ namespace record
     return is_due(bytes);
   }
 
-  void Pending::write(const hid_t file)
+  void WriteBuffer::write(const hid_t file)
   {
     for (auto &[name, series] : tables)
       write_series(file, "tables", name, series);
@@ -219,11 +219,11 @@ namespace record
     last_write = std::chrono::steady_clock::now();
   }
 
-  void Pending::write_snapshot(const hid_t file, const std::string &name, const double time,
-                               const Snapshot &snapshot)
+  void WriteBuffer::write_snapshot(const hid_t file, const std::string &name, const double time,
+                                   const Snapshot &snapshot)
   {
     const std::string folder = "snapshots/" + name;
-    if (is_there(folder, time))
+    if (is_in_file(folder, time))
       return;
     const std::string index = std::to_string(hdf5::members(file, folder).size());
     const hdf5::Handle group = hdf5::open_group(file, folder + "/" + index, true);
@@ -264,7 +264,7 @@ namespace record
     hdf5::set_attribute(group, "time", time); // last: without it the snapshot does not count
   }
 
-  void Pending::go_on(const hid_t file, const double time)
+  void WriteBuffer::resume(const hid_t file, const double time)
   {
     tables = take_up(file, "tables", time, kept_until);
     lines = take_up(file, "lines", time, kept_until);

@@ -12,15 +12,15 @@
 
 namespace melt
 {
-  class Turns
+  class BandScheduler
   {
   public:
     /// `wraps`: the first and the last bands are neighbours.
-    Turns(int bands, bool wraps)
+    BandScheduler(int bands, bool wraps)
         : bands(bands), wraps(wraps), taken(static_cast<std::size_t>(bands))
     {
     }
-    /// Back to the first step. By one thread while no other is in take().
+    /// Back to the first step. By one thread while no other is in run().
     void start()
     {
       next = 0;
@@ -29,7 +29,7 @@ namespace melt
     }
     /// Called by every thread: work(band, step) for all bands and steps [0, steps).
     template <class Work>
-    void take(const long steps, const Work &work)
+    void run(const long steps, const Work &work)
     {
       for (long ticket; (ticket = next.fetch_add(1, std::memory_order_relaxed)) < steps * bands;)
       {
@@ -56,8 +56,8 @@ namespace melt
       if (band < 0 || band >= bands)
         return;
       const Count &count = taken[static_cast<std::size_t>(band)];
-      for (int looks = 0; count.steps.load(std::memory_order_acquire) < step; ++looks)
-        if (looks >= 1000) // another thread may need this core
+      for (int polls = 0; count.steps.load(std::memory_order_acquire) < step; ++polls)
+        if (polls >= 1000) // another thread may need this core
           std::this_thread::yield();
     }
 

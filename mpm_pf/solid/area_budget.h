@@ -16,7 +16,7 @@ namespace solid
 
     medium::AreaMap map;
     medium::CellValues owed; // length^2; negative: owed by the points
-    Ledger ledger;           // without points and owed
+    AreaBudget budget;       // without points and owed
   };
 
   /// For a checkpoint, and back.
@@ -29,12 +29,12 @@ namespace solid
   /// Debts of cells that the contour does not cross go to the nearest that it does, within three
   /// cells, in equal shares to several that are equally near; where there is none, debts gather in
   /// one cell for each eight cells.
-  void hand_over(medium::CellValues &owed, const medium::CellAreas &,
-                 const std::array<int, 2> &cells);
+  void transfer_owed_area(medium::CellValues &owed, const medium::CellAreas &,
+                          const std::array<int, 2> &cells);
 
   /// Take points from cells that owe a negative area, outermost (lowest phi) first, as long as that
   /// brings the debt nearer to zero.
-  void melt_back(Solid &, const medium::CellAreas &);
+  void remove_melted_points(Solid &, const medium::CellAreas &);
 
   /// Add a free point; its index. The grid must be sorted again afterwards.
   std::size_t insert_point(Solid &, const Point &position, double mass);

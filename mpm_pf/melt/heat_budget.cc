@@ -1,10 +1,10 @@
-#include "melt/ledger.h"
+#include "melt/heat_budget.h"
 
 #include "medium/sums.h"
 
 namespace melt
 {
-  HeatLedger heat_ledger(const medium::Field<double> &phi, const medium::Field<double> &theta,
+  HeatBudget heat_budget(const medium::Field<double> &phi, const medium::Field<double> &theta,
                          const medium::Mesh &mesh, const medium::Cuts &cuts)
   {
     const double cell = mesh.spacing.prod();

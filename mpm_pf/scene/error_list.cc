@@ -1,4 +1,4 @@
-#include "scene/complaints.h"
+#include "scene/error_list.h"
 
 #include <algorithm>
 #include <map>
@@ -31,8 +31,8 @@ namespace scene
     }
   } // namespace
 
-  void Complaints::add(const Value &at, const std::string &cause, const std::string &allowed,
-                       const std::string &remedy)
+  void ErrorList::add(const Value &at, const std::string &cause, const std::string &allowed,
+                      const std::string &remedy)
   {
     const std::string where = at.place.file + ":" + std::to_string(at.place.line) + ": " +
                               (at.place.key.empty() ? "" : at.place.key + ": ");
@@ -44,29 +44,29 @@ namespace scene
     list.push_back({at.place, text});
   }
 
-  void Complaints::add(const Place &place, const std::string &text)
+  void ErrorList::add(const SourceLocation &place, const std::string &text)
   {
     list.push_back({place, text});
   }
 
-  bool Complaints::about(const Value &value) const
+  bool ErrorList::about(const Value &value) const
   {
     const std::string &path = value.place.key;
     return std::any_of(list.begin(), list.end(),
-                       [&](const Complaint &c) {
+                       [&](const Error &c) {
                          return c.place.key == path ||
                                 c.place.key.compare(0, path.size() + 1, path + ".") == 0;
                        });
   }
 
-  std::string Complaints::text() const
+  std::string ErrorList::text() const
   {
     std::map<std::string, std::size_t> order; // files as they first appear
-    for (const Complaint &c : list)
+    for (const Error &c : list)
       order.emplace(c.place.file, order.size());
-    std::vector<Complaint> sorted = list;
+    std::vector<Error> sorted = list;
     std::stable_sort(sorted.begin(), sorted.end(),
-                     [&](const Complaint &a, const Complaint &b)
+                     [&](const Error &a, const Error &b)
                      {
                        return std::make_pair(order.at(a.place.file), a.place.line) <
                               std::make_pair(order.at(b.place.file), b.place.line);
@@ -74,12 +74,12 @@ namespace scene
     std::string result = list.size() == 1
                              ? "the scene has 1 error\n"
                              : "the scene has " + std::to_string(list.size()) + " errors\n";
-    for (const Complaint &c : sorted)
+    for (const Error &c : sorted)
       result += "\n" + c.text + "\n";
     return result;
   }
 
-  void Complaints::settle() const
+  void ErrorList::throw_if_any() const
   {
     if (!list.empty())
       throw BadScene(text());
@@ -98,7 +98,7 @@ namespace scene
     return best.empty() ? "" : "did you mean \"" + best + "\"?";
   }
 
-  std::string listed(const std::vector<std::string> &words)
+  std::string comma_separated(const std::vector<std::string> &words)
   {
     std::string text;
     for (const std::string &word : words)

@@ -1,4 +1,4 @@
-#include "safe.h"
+#include "safe_settings.h"
 
 #include <algorithm>
 #include <cctype>

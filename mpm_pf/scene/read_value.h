@@ -12,39 +12,40 @@
 
 namespace scene
 {
-  /// Where a value goes while it is taken: its limits, and who hears what is wrong.
-  struct Taking
+  /// What reading a value needs beside it: its limits, and the list of errors.
+  struct ReadContext
   {
     const Allowed &allowed;
-    Complaints &complaints;
+    ErrorList &errors;
   };
 
-  void take(const Value &, bool &, const Taking &);
-  void take(const Value &, int &, const Taking &);
-  void take(const Value &, std::uint64_t &, const Taking &);
-  void take(const Value &, double &, const Taking &);
-  void take(const Value &, std::string &, const Taking &);
-  void take(const Value &, Point &, const Taking &);
-  void take(const Value &, std::array<int, 2> &, const Taking &);
-  void take(const Value &, std::vector<double> &, const Taking &);
-  void take(const Value &, std::vector<std::string> &, const Taking &);
-  void take(const Value &, Polyline &, const Taking &);
-  void take(const Value &, std::vector<Polyline> &, const Taking &);
-  void take(const Value &, Expression &, const Taking &);
-  void take(const Value &, VectorExpression &, const Taking &);
-  void take(const Value &, std::array<Expression, 4> &, const Taking &);
-  void take(const Value &, std::array<std::optional<Expression>, 2> &, const Taking &);
-  void take(const Value &, Segment &, const Taking &);
-  void take(const Value &, Box &, const Taking &);
-  void take(const Value &, RegionProbe &, const Taking &);
-  void take(const Value &, TipProbe &, const Taking &);
-  void take(const Value &, std::array<Boundary, 4> &, const Taking &);
+  void read_value(const Value &, bool &, const ReadContext &);
+  void read_value(const Value &, int &, const ReadContext &);
+  void read_value(const Value &, std::uint64_t &, const ReadContext &);
+  void read_value(const Value &, double &, const ReadContext &);
+  void read_value(const Value &, std::string &, const ReadContext &);
+  void read_value(const Value &, Point &, const ReadContext &);
+  void read_value(const Value &, std::array<int, 2> &, const ReadContext &);
+  void read_value(const Value &, std::vector<double> &, const ReadContext &);
+  void read_value(const Value &, std::vector<std::string> &, const ReadContext &);
+  void read_value(const Value &, Polyline &, const ReadContext &);
+  void read_value(const Value &, std::vector<Polyline> &, const ReadContext &);
+  void read_value(const Value &, Expression &, const ReadContext &);
+  void read_value(const Value &, VectorExpression &, const ReadContext &);
+  void read_value(const Value &, std::array<Expression, 4> &, const ReadContext &);
+  void read_value(const Value &, std::array<std::optional<Expression>, 2> &, const ReadContext &);
+  void read_value(const Value &, Segment &, const ReadContext &);
+  void read_value(const Value &, Box &, const ReadContext &);
+  void read_value(const Value &, RegionProbe &, const ReadContext &);
+  void read_value(const Value &, TipProbe &, const ReadContext &);
+  void read_value(const Value &, std::array<Boundary, 4> &, const ReadContext &);
 
-  /// A word that names no choice becomes a complaint.
-  void complain_of_word(const Value &, const std::vector<std::string> &known, Complaints &);
+  /// A word that names no choice becomes an error.
+  void add_unknown_word(const Value &, const std::vector<std::string> &known, ErrorList &);
 
   template <class E>
-  std::enable_if_t<std::is_enum_v<E>> take(const Value &value, E &field, const Taking &taking)
+  std::enable_if_t<std::is_enum_v<E>> read_value(const Value &value, E &field,
+                                                 const ReadContext &context)
   {
     std::vector<std::string> known;
     for (const auto &[text, choice] : words(E{}))
@@ -56,13 +57,13 @@ namespace scene
         return;
       }
     }
-    complain_of_word(value, known, taking.complaints);
+    add_unknown_word(value, known, context.errors);
   }
 
   template <class T>
-  void take(const Value &value, std::optional<T> &field, const Taking &taking)
+  void read_value(const Value &value, std::optional<T> &field, const ReadContext &context)
   {
-    take(value, field.emplace(), taking);
+    read_value(value, field.emplace(), context);
   }
 
   /// Declares the keys of one section, each bound to a member of T; a default is what a fresh T
@@ -81,7 +82,7 @@ namespace scene
               const std::string &sentence, const std::string &reason)
     {
       Key key = declared(name, member, allowed, sentence, reason);
-      key.standard = printed(T{}.*member);
+      key.default_text = printed(T{}.*member);
       section.keys.push_back(key);
       return *this;
     }
@@ -130,8 +131,8 @@ namespace scene
       key.allowed = allowed;
       key.sentence = sentence;
       key.reason = reason;
-      key.take = [member, allowed](const Value &value, void *target, Complaints &complaints) {
-        scene::take(value, static_cast<T *>(target)->*member, Taking{allowed, complaints});
+      key.read = [member, allowed](const Value &value, void *target, ErrorList &errors) {
+        scene::read_value(value, static_cast<T *>(target)->*member, ReadContext{allowed, errors});
       };
       return key;
     }

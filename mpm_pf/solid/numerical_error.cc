@@ -3,7 +3,8 @@
 
 namespace solid
 {
-  Trouble::Trouble(const std::string &cause, const long step, const double time, const Point &place)
+  NumericalError::NumericalError(const std::string &cause, const long step, const double time,
+                                 const Point &place)
       : std::runtime_error("numerical trouble in step " + std::to_string(step) + " at time " +
                            scene::number_text(time) + " near (" + scene::number_text(place[0]) +
                            ", " + scene::number_text(place[1]) + "): " + cause),

@@ -1,4 +1,4 @@
-#include "whole_run.h"
+#include "history_end.h"
 
 #include <algorithm>
 #include <optional>

@@ -263,7 +263,7 @@ TEST(Orientation, AQuarterGrowsAsTheWholeDoes)
   World whole = build_world(all, 1), quarter = build_world(part, 1);
   for (World *w : {&whole, &quarter})
   {
-    melt::let_vary(*w->orientation, *w->mesh);
+    melt::allocate_angle_field(*w->orientation, *w->mesh);
     for (int j = 0; j < w->mesh->nodes[1]; ++j)
       for (int i = 0; i < w->mesh->nodes[0]; ++i)
       {
@@ -290,7 +290,7 @@ TEST(Growth, ACrystalThatFallsTakesItsFrontAlong)
   scene.body_force->acceleration[0] = text_of("2");
   scene.clock.end = 4.;
   World world = build_world(scene, 1);
-  wake_solid(world);
+  activate_solid(world);
   const double start = centre(world);
   while (world.time < 4. * (1. - 1e-12)) // no probe cuts the steps
     step(world, std::min(coupling_step(world), 4. - world.time));

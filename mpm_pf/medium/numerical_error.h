@@ -7,9 +7,9 @@
 namespace medium
 {
   /// Thrown with step, time and place in the text; the program maps it to exit code 3.
-  class NumericalTrouble : public std::runtime_error
+  class NumericalError : public std::runtime_error
   {
   public:
-    explicit NumericalTrouble(const std::string &what) : std::runtime_error(what) {}
+    explicit NumericalError(const std::string &what) : std::runtime_error(what) {}
   };
 } // namespace medium

@@ -6,7 +6,7 @@
 
 namespace verify
 {
-  struct Places
+  struct Paths
   {
     std::string cases;       // folder of the case folders
     std::string solvers;     // folder of mpm_pf and fe_reference
@@ -22,16 +22,15 @@ namespace verify
   /// `cases` and `solvers` may be empty: then benchmarks/ is looked for upwards from the working
   /// directory and from the program, and the solvers beside the program. Throws BadInput if there
   /// is no case folder.
-  Places find_places(const std::string &argv0, const std::string &cases,
-                     const std::string &solvers);
+  Paths find_paths(const std::string &argv0, const std::string &cases, const std::string &solvers);
 
   /// Names of all cases (folders with an expect.toml), sorted.
-  std::vector<std::string> case_names(const Places &);
+  std::vector<std::string> case_names(const Paths &);
   /// Folder of one case. Throws BadInput with the nearest names if there is none.
-  std::string case_folder(const Places &, const std::string &name);
+  std::string case_folder(const Paths &, const std::string &name);
 
   /// Runs Debian's Python on a script of postprocess/ with `arguments`, output to ours. Returns its
   /// exit code; says on stderr what is missing if Python or a module is.
-  int run_python(const Places &, const std::string &script,
+  int run_python(const Paths &, const std::string &script,
                  const std::vector<std::string> &arguments);
 } // namespace verify

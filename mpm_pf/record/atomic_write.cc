@@ -1,4 +1,4 @@
-#include "record/whole_file.h"
+#include "record/atomic_write.h"
 
 #include <cerrno>
 #include <filesystem>
@@ -7,7 +7,7 @@
 
 namespace record
 {
-  void write_whole_file(const std::string &path, const std::string &text)
+  void write_atomically(const std::string &path, const std::string &text)
   {
     const std::string part = path + ".part";
     errno = 0;

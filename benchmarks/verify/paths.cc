@@ -1,4 +1,4 @@
-#include "places.h"
+#include "paths.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -37,56 +37,56 @@ namespace verify
     }
   } // namespace
 
-  Places find_places(const std::string &argv0, const std::string &cases, const std::string &solvers)
+  Paths find_paths(const std::string &argv0, const std::string &cases, const std::string &solvers)
   {
     std::error_code ignored;
     const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
     std::string root = root_above(fs::current_path());
     if (root.empty())
       root = root_above(program.parent_path());
-    Places places;
-    places.program = argv0;
+    Paths paths;
+    paths.program = argv0;
     if (!cases.empty())
-      places.asked.insert(places.asked.end(), {"--cases", cases});
+      paths.asked.insert(paths.asked.end(), {"--cases", cases});
     if (!solvers.empty())
-      places.asked.insert(places.asked.end(), {"--solvers", solvers});
-    places.solvers = shortened(solvers.empty() ? program.parent_path() : fs::absolute(solvers));
-    places.postprocess = root.empty() ? "postprocess" : shortened(fs::path(root) / "postprocess");
-    places.cases = cases.empty() ? shortened(fs::path(root) / "benchmarks") : cases;
-    if ((cases.empty() && root.empty()) || !fs::is_directory(places.cases))
+      paths.asked.insert(paths.asked.end(), {"--solvers", solvers});
+    paths.solvers = shortened(solvers.empty() ? program.parent_path() : fs::absolute(solvers));
+    paths.postprocess = root.empty() ? "postprocess" : shortened(fs::path(root) / "postprocess");
+    paths.cases = cases.empty() ? shortened(fs::path(root) / "benchmarks") : cases;
+    if ((cases.empty() && root.empty()) || !fs::is_directory(paths.cases))
       throw BadInput("no folder of cases: start verify inside the project, or give --cases DIR");
-    if (!fs::is_directory(places.solvers))
+    if (!fs::is_directory(paths.solvers))
       throw BadInput(fmt::format("--solvers {}: there is no such folder; give the one that holds "
                                  "mpm_pf and fe_reference",
                                  solvers));
-    return places;
+    return paths;
   }
 
-  std::vector<std::string> case_names(const Places &places)
+  std::vector<std::string> case_names(const Paths &paths)
   {
     std::vector<std::string> names;
-    for (const auto &entry : fs::directory_iterator(places.cases))
+    for (const auto &entry : fs::directory_iterator(paths.cases))
       if (entry.is_directory() && fs::exists(entry.path() / "expect.toml"))
         names.push_back(entry.path().filename().string());
     std::sort(names.begin(), names.end());
     return names;
   }
 
-  std::string case_folder(const Places &places, const std::string &name)
+  std::string case_folder(const Paths &paths, const std::string &name)
   {
-    const auto names = case_names(places);
+    const auto names = case_names(paths);
     if (std::find(names.begin(), names.end(), name) == names.end())
-      throw BadInput(fmt::format("there is no case `{}` in {}; there are: {}", name, places.cases,
+      throw BadInput(fmt::format("there is no case `{}` in {}; there are: {}", name, paths.cases,
                                  fmt::join(names, ", ")));
-    return (fs::path(places.cases) / name).string();
+    return (fs::path(paths.cases) / name).string();
   }
 
-  int run_python(const Places &places, const std::string &script,
+  int run_python(const Paths &paths, const std::string &script,
                  const std::vector<std::string> &arguments)
   {
     // Debian's own, because another python3 may stand first on PATH without the modules
     const std::string python = fs::exists("/usr/bin/python3") ? "/usr/bin/python3" : "python3";
-    const std::string file = places.postprocess + "/" + script;
+    const std::string file = paths.postprocess + "/" + script;
     if (!fs::exists(file))
     {
       fmt::print(stderr, "{} is missing: nothing is drawn\n", file);

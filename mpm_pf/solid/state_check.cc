@@ -1,4 +1,4 @@
-#include "solid/stock.h"
+#include "solid/state_check.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +16,7 @@ namespace solid
     {
       const Point place =
           p < solid.points.size() ? Point(solid.points.x[p], solid.points.y[p]) : Point(0., 0.);
-      throw Trouble(cause, solid.steps, solid.time, place);
+      throw NumericalError(cause, solid.steps, solid.time, place);
     }
 
     void check_point(const Solid &solid, const std::size_t p, const double dt)
@@ -76,10 +76,10 @@ namespace solid
     }
 
     // Stresses may run away where nothing gets fast. Their energy is a sum over all points, so it
-    // is drawn up now and then. In the first step of a load the stresses are there before the work
-    // that they take is booked, but not before that of the motion, which is far more: a step is
+    // is computed now and then. In the first step of a load the stresses are there before the work
+    // that they take is counted, but not before that of the motion, which is far more: a step is
     // short against a wave's way through the material.
-    void draw_up_account(const Solid &solid)
+    void check_energy(const Solid &solid)
     {
       constexpr long steps_between = 32;
       if (solid.steps % steps_between == 0 &&
@@ -91,7 +91,7 @@ namespace solid
     }
   } // namespace
 
-  void take_stock(Solid &solid, const double dt)
+  void check_state(Solid &solid, const double dt)
   {
     double kinetic = 0., speed2 = 0.;
     // A block names the first of its bad points, which may have been mended by a wall alone.
@@ -119,6 +119,6 @@ namespace solid
              "the kinetic energy exceeds twice all that was ever put in; take a smaller "
              "mpm.step_fraction",
              fastest(solid.points));
-    draw_up_account(solid);
+    check_energy(solid);
   }
 } // namespace solid

@@ -5,15 +5,15 @@
 #include <gtest/gtest.h>
 
 #include "../scratch.h"
-#include "record/whole_file.h"
+#include "record/atomic_write.h"
 
 namespace fs = std::filesystem;
 
 TEST(WholeFile, ReplacesAnOlderOneAndLeavesNothingElse)
 {
   const Scratch scratch;
-  record::write_whole_file(scratch / "a.json", "old");
-  record::write_whole_file(scratch / "a.json", "new\n");
+  record::write_atomically(scratch / "a.json", "old");
+  record::write_atomically(scratch / "a.json", "new\n");
   EXPECT_EQ(scratch.read("a.json"), "new\n");
   EXPECT_FALSE(fs::exists(scratch / "a.json.part"));
 }
@@ -23,11 +23,11 @@ TEST(WholeFile, KeepsTheOlderOneWhereTheDiskIsFull)
   if (!fs::exists("/dev/full"))
     GTEST_SKIP() << "there is no /dev/full here";
   const Scratch scratch;
-  record::write_whole_file(scratch / "a.json", "old");
+  record::write_atomically(scratch / "a.json", "old");
   fs::create_symlink("/dev/full", scratch / "a.json.part"); // every write to it fails
   try
   {
-    record::write_whole_file(scratch / "a.json", "new");
+    record::write_atomically(scratch / "a.json", "new");
     FAIL() << "a full disk was not noticed";
   }
   catch (const fs::filesystem_error &error)
@@ -42,5 +42,5 @@ TEST(WholeFile, KeepsTheOlderOneWhereTheDiskIsFull)
 TEST(WholeFile, SaysThatTheFolderIsMissing)
 {
   const Scratch scratch;
-  EXPECT_THROW(record::write_whole_file(scratch / "nowhere/a", "text"), fs::filesystem_error);
+  EXPECT_THROW(record::write_atomically(scratch / "nowhere/a", "text"), fs::filesystem_error);
 }

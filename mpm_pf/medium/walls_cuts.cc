@@ -72,7 +72,7 @@ namespace medium
     }
   } // namespace
 
-  void settle(Walls &walls, const Mesh &mesh, const std::vector<WalledField> &fields)
+  void update_cuts(Walls &walls, const Mesh &mesh, const std::vector<WalledField> &fields)
   {
     for (const Wall &wall : walls.walls)
     {

@@ -27,7 +27,7 @@ namespace record
     std::vector<Polyline> curves;
   };
 
-  class Pending
+  class WriteBuffer
   {
   public:
     std::map<std::string, std::string> texts;
@@ -46,16 +46,16 @@ namespace record
     /// Take up an interrupted record: forget in `file` what is later than `time`, and learn what
     /// is declared there. What the resumed run observes a second time is dropped: a mean over a
     /// window that reaches past the checkpoint is dated before it but came into the file after it.
-    void go_on(hid_t file, double time);
+    void resume(hid_t file, double time);
 
   private:
     std::map<std::string, Series> tables, lines;
     std::map<std::string, std::vector<TimedOutline>> outlines;
-    std::map<std::string, double> kept_until; // "tables/<name>" ...: last time kept by go_on()
+    std::map<std::string, double> kept_until; // "tables/<name>" ...: last time kept by resume()
     std::size_t waiting_bytes = 0;
     std::chrono::steady_clock::time_point last_write = std::chrono::steady_clock::now();
 
     bool is_due(std::size_t added_bytes);
-    bool is_there(const std::string &path, double time) const;
+    bool is_in_file(const std::string &path, double time) const;
   };
 } // namespace record

@@ -1,8 +1,8 @@
-#include "accounts.h"
+#include "costs.h"
 
 namespace
 {
-  double bytes(const CarriedField &field)
+  double bytes(const AdvectedField &field)
   {
     return static_cast<double>(field.value.bytes() + field.gradients.bytes());
   }

@@ -1,4 +1,4 @@
-#include "solid/ledger.h"
+#include "solid/area_budget.h"
 
 #include <algorithm>
 #include <cmath>
@@ -95,8 +95,8 @@ namespace solid
     return sum;
   }
 
-  void hand_over(medium::CellValues &owed, const medium::CellAreas &areas,
-                 const std::array<int, 2> &count)
+  void transfer_owed_area(medium::CellValues &owed, const medium::CellAreas &areas,
+                          const std::array<int, 2> &count)
   {
     const Cells cells{areas, count};
     medium::CellValues moved, gathered;
@@ -121,14 +121,14 @@ namespace solid
 
   std::vector<double> pack_growth(const Solid &solid)
   {
-    const Ledger &ledger = solid.growing->ledger;
-    std::vector<double> packed{ledger.activated,
-                               ledger.grown,
-                               ledger.melted,
-                               ledger.seeded,
-                               ledger.removed,
-                               static_cast<double>(ledger.seeded_points),
-                               static_cast<double>(ledger.removed_points),
+    const AreaBudget &budget = solid.growing->budget;
+    std::vector<double> packed{budget.activated,
+                               budget.grown,
+                               budget.melted,
+                               budget.seeded,
+                               budget.removed,
+                               static_cast<double>(budget.seeded_points),
+                               static_cast<double>(budget.removed_points),
                                static_cast<double>(solid.split_points)};
     for (const medium::CellValue &debt : solid.growing->owed)
       packed.insert(packed.end(), {static_cast<double>(debt.cell), debt.value});
@@ -140,11 +140,11 @@ namespace solid
     if (packed.size() < 8 || packed.size() % 2 != 0)
       throw std::runtime_error("the checkpoint's ledger of growth is cut short");
     solid.growing = std::make_unique<Growing>(solid.domain);
-    Ledger &ledger = solid.growing->ledger;
-    ledger.activated = packed[0], ledger.grown = packed[1], ledger.melted = packed[2];
-    ledger.seeded = packed[3], ledger.removed = packed[4];
-    ledger.seeded_points = static_cast<long>(packed[5]);
-    ledger.removed_points = static_cast<long>(packed[6]);
+    AreaBudget &budget = solid.growing->budget;
+    budget.activated = packed[0], budget.grown = packed[1], budget.melted = packed[2];
+    budget.seeded = packed[3], budget.removed = packed[4];
+    budget.seeded_points = static_cast<long>(packed[5]);
+    budget.removed_points = static_cast<long>(packed[6]);
     solid.split_points = static_cast<long>(packed[7]);
     for (std::size_t k = 8; k < packed.size(); k += 2)
       solid.growing->owed.push_back({static_cast<long>(packed[k]), packed[k + 1]});
@@ -185,11 +185,11 @@ namespace solid
     solid.grid.drift = solid.grid.dx;
   }
 
-  Ledger ledger(const Solid &solid)
+  AreaBudget area_budget(const Solid &solid)
   {
     if (!solid.growing)
       return {};
-    Ledger now = solid.growing->ledger;
+    AreaBudget now = solid.growing->budget;
     now.points = mass(solid) / solid.material.density;
     for (const medium::CellValue &debt : solid.growing->owed)
       now.owed += debt.value;
@@ -199,7 +199,7 @@ namespace solid
 
   History growth_history(const Solid &solid)
   {
-    const Ledger now = ledger(solid);
+    const AreaBudget now = area_budget(solid);
     History history;
     history.names = {"grown_area", "melted_area",   "owed_area",      "area_imbalance",
                      "area_drift", "seeded_points", "removed_points", "split_points"};
