@@ -105,6 +105,21 @@ std::string warning_on_scaling(const World &world)
   return text.str();
 }
 
+std::string warning_on_kinetic_energy(const World &world)
+{
+  constexpr double bearable = 0.05;
+  const scene::Scene &scene = *world.scene;
+  if (!world.solid || !scene.mpm || !scene.mpm->mach || scene.growth || world.walls)
+    return {};
+  const double share = solid::mean_kinetic_share(*world.solid);
+  if (share <= bearable)
+    return {};
+  return "not quasi-static: with the density that mpm.mach scales, kinetic energy is " +
+         percent(share) +
+         " of what the stresses hold or have dissipated, in the mean over the run; forces ring and "
+         "lag, so lower mach (the kinetic energy falls with its square) and compare";
+}
+
 std::string warning_on_energy(const World &world)
 {
   if (!world.solid)

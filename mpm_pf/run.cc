@@ -233,20 +233,20 @@ namespace
     for (const std::string &doubt :
          {warning_on_scaling(world), warning_on_wall_ramps(world), warning_on_support_ramps(world),
           warning_on_quadrature(world), warning_on_thin_bodies(world), warning_on_idle_walls(world),
-          warning_on_missing_walls(world), warning_on_energy(world), warning_on_sides(world),
-          warning_on_areas(world), warning_on_melted_crystals(world)})
+          warning_on_missing_walls(world), warning_on_kinetic_energy(world),
+          warning_on_energy(world), warning_on_sides(world), warning_on_areas(world),
+          warning_on_melted_crystals(world)})
       if (!doubt.empty())
         warning += (warning.empty() ? "" : "; ") + doubt;
-    if (!warning.empty())
+    const auto tell = [&](const char *attribute, const std::string &text)
     {
-      std::cerr << "mpm_pf: " << warning << '\n';
-      writer->attribute("warning", warning);
-    }
-    if (const std::string verdict = verdict_on_inertia(world); !verdict.empty())
-    {
-      std::cerr << "mpm_pf: " << verdict << '\n';
-      writer->attribute("inertia", verdict);
-    }
+      if (text.empty())
+        return;
+      std::cerr << "mpm_pf: " << text << '\n';
+      writer->attribute(attribute, text);
+    };
+    tell("warning", warning);
+    tell("inertia", verdict_on_inertia(world));
     writer->finish(profile());
     forget_checkpoint();
     progress->finish();

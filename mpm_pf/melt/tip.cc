@@ -96,7 +96,9 @@ namespace melt
     };
 
     /// Radius at the tip of the curve t^2 + a t + b t s = 2 rho s + q s^2 + r s^3 through it, s the
-    /// depth behind the tip and t the distance from the ray, and the fit's residual.
+    /// depth behind the tip and t the distance from the ray, and the fit's residual. Both are taken
+    /// in windows: in metres a crystal of some nanometres would have columns of 1e-9 and of 1e-27,
+    /// and the solver would take the latter for dependent.
     void fit_radius(Tip &tip, const std::vector<Crossing> &front)
     {
       constexpr int coefficients = 5;
@@ -108,8 +110,8 @@ namespace melt
       Eigen::VectorXd square(tip.crossings), weight(tip.crossings);
       for (int k = 0; k < tip.crossings; ++k)
       {
-        const double t = front[static_cast<std::size_t>(k)].aside,
-                     s = -front[static_cast<std::size_t>(k)].along;
+        const double t = front[static_cast<std::size_t>(k)].aside / tip.window,
+                     s = -front[static_cast<std::size_t>(k)].along / tip.window;
         terms.row(k) << s, s * s, s * s * s, -t, -t * s;
         square[k] = t * t;
         weight[k] = 1. / (t * t);
@@ -119,9 +121,9 @@ namespace melt
       // F(s, t) = t^2 + a t + b t s - 2 rho s - q s^2 - ... = 0 and its derivatives at the tip
       const double by_s = -c[0], by_t = c[3], size = std::hypot(by_s, by_t);
       const double bend = 2. * by_s * by_s - 2. * c[4] * by_s * by_t - 2. * c[1] * by_t * by_t;
-      tip.residual = (terms * c - square).norm() / std::abs(by_s) /
+      tip.residual = tip.window * (terms * c - square).norm() / std::abs(by_s) /
                      std::sqrt(static_cast<double>(tip.crossings));
-      tip.radius = std::copysign(size * size * size / bend, c[0]);
+      tip.radius = std::copysign(tip.window * size * size * size / bend, c[0]);
     }
   } // namespace
 

@@ -45,11 +45,23 @@ namespace scene
       return {};
     }
 
-    Areas areas_of(const Polyline &line)
+    // Boost.Geometry takes coordinates for equal that differ by less than some 1e-16, whatever
+    // their size: outlines go to it in units of the power of two next to their extent, which
+    // changes no digit. Nanometres would be no outline at all.
+    double unit_of(const std::vector<Polyline> &lines)
+    {
+      double extent = 0.;
+      for (const Polyline &line : lines)
+        for (const Point &p : line)
+          extent = std::max(extent, p.cwiseAbs().maxCoeff());
+      return extent > 0. ? std::exp2(std::ilogb(extent)) : 1.;
+    }
+
+    Areas areas_of(const Polyline &line, const double unit)
     {
       Area area;
       for (const Point &p : line)
-        bg::append(area.outer(), Vertex(p[0], p[1]));
+        bg::append(area.outer(), Vertex(p[0] / unit, p[1] / unit));
       bg::correct(area);
       return {area};
     }
@@ -72,24 +84,24 @@ namespace scene
     }
 
     // Even-odd rule: an outline inside another one is a hole, one inside a hole an island.
-    Areas areas_of(const Body &body, const double spacing)
+    Areas areas_of(const Body &body, const double spacing, const double unit)
     {
       Areas sum;
       for (const Polyline &line : outlines_of(body, spacing))
       {
         Areas next;
-        bg::sym_difference(sum, areas_of(line), next);
+        bg::sym_difference(sum, areas_of(line, unit), next);
         sum = std::move(next);
       }
       return sum;
     }
 
     template <class Ring>
-    Polyline line_of(const Ring &ring)
+    Polyline line_of(const Ring &ring, const double unit)
     {
       Polyline line;
       for (const Vertex &v : ring)
-        line.emplace_back(v.x(), v.y());
+        line.emplace_back(v.x() * unit, v.y() * unit);
       return line;
     }
 
@@ -106,11 +118,11 @@ namespace scene
       return line;
     }
 
-    Areas union_of(const std::vector<Body> &bodies, const double spacing)
+    Areas union_of(const std::vector<Body> &bodies, const double spacing, const double unit)
     {
       std::vector<Areas> parts;
       for (const Body &body : bodies)
-        parts.push_back(areas_of(body, spacing));
+        parts.push_back(areas_of(body, spacing, unit));
       return joined(parts,
                     [](const Areas &a, const Areas &b, Areas &both) { bg::union_(a, b, both); });
     }
@@ -124,14 +136,14 @@ namespace scene
       return lines;
     }
 
-    std::vector<Polyline> lines_of(const Areas &areas)
+    std::vector<Polyline> lines_of(const Areas &areas, const double unit)
     {
       std::vector<Polyline> lines;
       for (const Area &area : areas)
       {
-        lines.push_back(line_of(area.outer()));
+        lines.push_back(line_of(area.outer(), unit));
         for (const auto &hole : area.inners())
-          lines.push_back(line_of(hole));
+          lines.push_back(line_of(hole, unit));
       }
       return lines;
     }
@@ -173,7 +185,9 @@ namespace scene
 
   std::vector<Polyline> union_outline(const std::vector<Body> &bodies, const double spacing)
   {
-    return exact_vertices(lines_of(union_of(bodies, spacing)), outlines_of(bodies, spacing));
+    const std::vector<Polyline> given = outlines_of(bodies, spacing);
+    const double unit = unit_of(given);
+    return exact_vertices(lines_of(union_of(bodies, spacing, unit), unit), given);
   }
 
   std::vector<Polyline> outline(const std::vector<Body> &bodies, const double spacing)
@@ -192,20 +206,22 @@ namespace scene
       return {};
     const Polyline window{
         kept.lower, {kept.upper[0], kept.lower[1]}, kept.upper, {kept.lower[0], kept.upper[1]}};
-    Areas inside;
-    bg::intersection(union_of(bodies, spacing), areas_of(window), inside);
     std::vector<Polyline> given = outlines_of(bodies, spacing);
     given.push_back(window);
-    std::vector<Polyline> lines = exact_vertices(lines_of(inside), given);
+    const double unit = unit_of(given);
+    Areas inside;
+    bg::intersection(union_of(bodies, spacing, unit), areas_of(window, unit), inside);
+    std::vector<Polyline> lines = exact_vertices(lines_of(inside, unit), given);
     snap(lines, kept, 1e-6 * (all.upper - all.lower).norm());
     return subdivided(lines, spacing);
   }
 
   double shared_area(const Polyline &a, const Polyline &b)
   {
+    const double unit = unit_of({a, b});
     Areas both;
-    bg::intersection(areas_of(a), areas_of(b), both);
-    return bg::area(both);
+    bg::intersection(areas_of(a, unit), areas_of(b, unit), both);
+    return bg::area(both) * unit * unit;
   }
 
   bool crosses_itself(const Polyline &line)
@@ -218,9 +234,10 @@ namespace scene
       if (in.dot(out) < 0. && std::abs(turn) <= 1e-12 * in.norm() * out.norm())
         return true; // a spike, back along the side that it came
     }
+    const double unit = unit_of({line});
     bg::model::ring<Vertex, false, false> ring;
     for (const Point &p : line)
-      bg::append(ring, Vertex(p[0], p[1]));
+      bg::append(ring, Vertex(p[0] / unit, p[1] / unit));
     return bg::intersects(ring);
   }
 } // namespace scene

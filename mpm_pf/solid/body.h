@@ -21,6 +21,8 @@ namespace solid
     double largest = 0.;       // start and work so far, when that was most
     double strained = 0.;      // work of the stresses on the strains since the start
     double elastic_start = 0.; // the elastic part of `start`
+    // Integrals over time, of the kinetic energy and of what the stresses hold or have dissipated:
+    double kinetic_time = 0., internal_time = 0.;
   };
 
   struct Timer

@@ -107,7 +107,8 @@ namespace solid
          solid.energy.start, solid.energy.kinetic, solid.energy.dissipated, solid.loads.work,
          solid.loads.work_done, static_cast<double>(solid.points.active),
          static_cast<double>(solid.tracers.outlines.size()), solid.material.density,
-         solid.energy.largest, solid.energy.strained, solid.energy.elastic_start});
+         solid.energy.largest, solid.energy.strained, solid.energy.elastic_start,
+         solid.energy.kinetic_time, solid.energy.internal_time});
     put("supports", pack(solid.supports));
     put("grid", pack(solid.grid));
     if (solid.growing)
@@ -127,7 +128,7 @@ namespace solid
   void restore(Solid &solid, const Checkpoint &state)
   {
     const std::vector<double> &numbers = find(state, "numbers");
-    if (numbers.size() != 15)
+    if (numbers.size() != 17)
       throw std::runtime_error("the checkpoint was written by another version of the program");
     if (numbers[11] != solid.material.density)
       throw std::runtime_error("the checkpoint is of another scene: it has another density");
@@ -143,7 +144,8 @@ namespace solid
                    });
     solid.time = numbers[0], solid.steps = static_cast<long>(numbers[1]);
     solid.speed = numbers[2], solid.call_duration = numbers[3];
-    solid.energy = {numbers[4], numbers[5], numbers[6], numbers[12], numbers[13], numbers[14]};
+    solid.energy = {numbers[4],  numbers[5],  numbers[6],  numbers[12],
+                    numbers[13], numbers[14], numbers[15], numbers[16]};
     solid.loads.work = numbers[7], solid.loads.work_done = numbers[8];
     solid.points.active = static_cast<std::size_t>(numbers[9]);
     solid.tracers.outlines.clear();

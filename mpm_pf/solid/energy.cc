@@ -105,6 +105,12 @@ namespace solid
             balance(solid, elastic_energy(solid)) / largest};
   }
 
+  double mean_kinetic_share(const Solid &solid)
+  {
+    const Energy &energy = solid.energy;
+    return energy.internal_time > 0. ? energy.kinetic_time / energy.internal_time : 0.;
+  }
+
   History history(const Solid &solid)
   {
     const double kinetic = kinetic_energy(solid), elastic = elastic_energy(solid);

@@ -126,6 +126,9 @@ namespace solid
     double transfer = 0., unaccounted = 0.;
   };
   LostEnergy lost_energy(const Solid &);
+  /// Kinetic energy over what the stresses hold or have dissipated, both as means over the time
+  /// since the start; 0 where nothing was strained.
+  double mean_kinetic_share(const Solid &);
 
   // --- going on later
   // ------------------------------------------------------------------------------

@@ -109,6 +109,8 @@ namespace solid
       speed2 = std::max(speed2, share.largest_speed2);
     }
     solid.energy.kinetic = kinetic;
+    solid.energy.kinetic_time += dt * kinetic;
+    solid.energy.internal_time += dt * (solid.energy.elastic_start + solid.energy.strained);
     solid.speed = std::sqrt(speed2);
     solid.grid.drift += dt * std::max(solid.speed, solid.supports.speed);
     const double work = solid.supports.work + solid.loads.work;

@@ -125,6 +125,22 @@ namespace solid
       return !other.contact || other.touched[other.index(i, j)];
     }
 
+    /// Does a support hold what a symmetry side would hold, the nodes at `place` of its carriers?
+    /// Then the push is the support's, and its motion counts.
+    bool held_by_support(const Supports &supports, const HeldLine &side, const int carrier,
+                         const double place, const double dx)
+    {
+      for (std::size_t l = 0; l < supports.lines.size(); ++l)
+      {
+        const HeldLine &line = supports.lines[l];
+        if (line.support >= 0 && !line.contact && line.axis == side.axis &&
+            supports.folds.lines[l].carrier() == carrier &&
+            place >= line.lower - line.reach[0] * dx && place <= line.upper + line.reach[1] * dx)
+          return true;
+      }
+      return false;
+    }
+
     void apply_line(Supports &supports, const HeldLine &line, const Fold &fold, Grid &grid,
                     const double t, const double dt, const bool count_reaction)
     {
@@ -143,6 +159,10 @@ namespace solid
                           v = (support->motion.at(X, x, t + dt) - support->motion.at(X, x, t)) / dt;
                         }
                         if (line.contact && !line.touched[line.index(i, j)])
+                          return;
+                        const double place = line.axis == 0 ? grid.node_y(j) : grid.node_x(i);
+                        if (!support &&
+                            held_by_support(supports, line, fold.carrier(), place, grid.dx))
                           return;
                         std::array<bool, 2> held = line.held;
                         if (held[1 - line.axis] && crossed(supports, line, grid, i, j, n))

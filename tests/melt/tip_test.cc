@@ -36,6 +36,26 @@ TEST(Tip, OfADiscLiesOnItsCircleFromAnyDirection)
   }
 }
 
+// In metres a crystal of nanometres has terms of 1e-27 beside others of 1e-9.
+TEST(Tip, IsTheSameInAnyUnitOfLength)
+{
+  constexpr double nano = 1e-9;
+  const Mesh mesh = test::square_mesh(61, 0.4, Boundary::no_flux);
+  const Mesh in_metres = test::square_mesh(61, 0.4 * nano, Boundary::no_flux);
+  const Point centre{12.1, 11.8};
+  const Field<double> phi = disc(mesh, centre, 6.);
+  Field<double> same(in_metres);
+  for (int j = 0; j < mesh.nodes[1]; ++j)
+    for (int i = 0; i < mesh.nodes[0]; ++i)
+      same(i, j) = phi(i, j);
+  const auto expected = melt::find_tip(phi, mesh, {centre, {1., 0.3}}, 1.);
+  const auto found = melt::find_tip(same, in_metres, {nano * centre, {1., 0.3}}, nano);
+  ASSERT_TRUE(expected && found);
+  EXPECT_NEAR(found->position / nano, expected->position, 1e-10);
+  EXPECT_NEAR(found->radius / nano, expected->radius, 1e-8);
+  EXPECT_NEAR(found->residual / nano, expected->residual, 1e-8);
+}
+
 TEST(Tip, OnASymmetryWallUsesTheMirrorImage)
 {
   const Mesh mesh = test::square_mesh(61, 0.4, Boundary::symmetry);

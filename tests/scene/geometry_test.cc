@@ -122,6 +122,28 @@ TEST(Outline, HasTheAreaOfTheShape)
   EXPECT_NEAR(area(scene::outline({shapes[3]}, 0.05)), 3.26 - 0.3, 1e-9);
 }
 
+// Boost.Geometry compares coordinates absolutely: in metres a body of nanometres was no body.
+TEST(Outline, IsTheSameInAnyUnitOfLength)
+{
+  for (const double unit : {1e-9, 1e6})
+  {
+    const std::vector<scene::Body> dogbone{
+        body(scene::Rectangle{{0., 0.}, unit * scene::Point(3., 1.)}),
+        body(scene::Rectangle{unit * scene::Point(1., 1.), unit * scene::Point(1., 2.)}),
+        body(scene::Rectangle{unit * scene::Point(0., 3.), unit * scene::Point(3., 1.)})};
+    const auto lines = scene::outline(dogbone, 0.5 * unit);
+    ASSERT_EQ(lines.size(), 1u) << unit;
+    EXPECT_NEAR(area(lines) / (unit * unit), 8., 1e-9) << unit;
+    scene::Polyline square{{0., 0.}, {unit, 0.}, {unit, unit}, {0., unit}}, bow = square;
+    std::swap(bow[0], bow[1]);
+    EXPECT_FALSE(scene::crosses_itself(square)) << unit;
+    EXPECT_TRUE(scene::crosses_itself(bow)) << unit;
+    const scene::Polyline beside{
+        {0.5 * unit, 0.}, {1.5 * unit, 0.}, {1.5 * unit, unit}, {0.5 * unit, unit}};
+    EXPECT_NEAR(scene::shared_area(square, beside) / (unit * unit), 0.5, 1e-7) << unit;
+  }
+}
+
 TEST(Outline, SpacesItsVerticesAsAsked)
 {
   for (const Body &b : all_shapes())

@@ -31,6 +31,31 @@ TEST(Grip, WithMaterialAroundItsCornersHoldsAndCarriesTheWeight)
   }
 }
 
+// The symmetry side would hold the same nodes; the push is the support's all the same, and one that
+// moves across the side moves the material. A strip between two such supports, pressed by 1/1000.
+TEST(Support, OnASymmetrySideBearsItsLoad)
+{
+  for (const double lift : {0., 4e-4})
+  {
+    scene::Scene scene = small::rectangle({0.3, 0.}, {1., 0.5}, {1.6, 0.8}, {16, 8});
+    scene.domain.boundary[static_cast<int>(scene::Edge::bottom)] = scene::Boundary::symmetry;
+    const std::string path = "*smooth(t, 0.4)"; // 20 transits
+    small::hold(scene, "top", scene::Edge::top, std::nullopt, "-5e-4" + path);
+    small::hold(scene, "bottom", scene::Edge::bottom, std::nullopt, std::to_string(lift) + path);
+    const solid::Owner strip = solid::make_solid(scene);
+    solid::advance(*strip, 0.4);
+    solid::advance(*strip, 0.1);
+    const double bottom = solid::reaction(*strip, "bottom").force[1];
+    const double plane_strain = 1000. / (1. - 0.3 * 0.3);
+    EXPECT_NEAR(bottom, plane_strain * (5e-4 + lift) / 0.5, 0.02 * bottom) << lift;
+    EXPECT_NEAR(solid::reaction(*strip, "top").force[1], -bottom, 0.02 * bottom) << lift;
+    const solid::History history = solid::history(*strip);
+    EXPECT_NEAR(small::value_of(history, "energy_balance"), 0.,
+                0.02 * small::value_of(history, "external_work"))
+        << lift;
+  }
+}
+
 // A footing in the middle of an edge: only nodes within half a cell of its ends move with it. At a
 // corner of the body the nodes beyond it are held too.
 TEST(Support, ThatEndsInsideAnEdgeHoldsHalfACellMore)
