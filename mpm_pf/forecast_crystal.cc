@@ -151,7 +151,6 @@ void forecast_crystal(World &world, const double triad, Forecast &forecast)
   forecast_growth(world, load, triad, forecast);
   forecast_advection(world, load.end, forecast);
   forecast.bytes = memory(world);
-  if (world.solid && (world.scene->walls.empty() || load.pressed_from < load.end))
-    forecast_compression(world, load,
-                         forecast); // else no wall ever meets it, and no point is seeded
+  if (world.solid && load.pressed_from < load.end) // else no wall ever meets it: no point is seeded
+    forecast_compression(world, load, forecast);
 }

@@ -199,7 +199,8 @@ GrowthLoad growth_load(const World &world)
   const scene::Scene &scene = *world.scene;
   const Arms arms = arms_of(world);
   GrowthLoad load;
-  load.end = load.pressed_from = scene.clock.end;
+  load.end = scene.clock.end;
+  load.pressed_from = scene.walls.empty() ? 0. : load.end; // without walls nothing waits for one
   let_walls_end(world, arms, load);
   load.solid_area = solid_area(scene, arms, load.end); // points are seeded as it grows on
   load.grows = load.solid_area > 1.02 * solid_area(scene, arms, 0.);

@@ -25,9 +25,10 @@ struct GrowthLoad
   double end = 0.;          // time at which the run will end (walls may end it early)
   double active_nodes = 0.; // mean over the run: both equations
   double heated_nodes = 0.; // mean over the run: heat alone
-  double pressed_from = 0.; // time at which a wall meets the crystal; `end` if none does
-  double solid_area = 0.;   // then, inside the domain
-  bool grows = false;       // is it larger then than at the start?
+  double pressed_from =
+      0.; // time at which a wall meets the crystal; `end` if none does, 0 if none is
+  double solid_area = 0.; // then, inside the domain
+  bool grows = false;     // is it larger then than at the start?
 };
 
 /// Of a scene with [growth].

@@ -83,8 +83,11 @@ namespace scene
                    " 2, ... by its place among all [[" + name + "]]")
           .add("on", &Input::on, any(), "A side of the bodies' common bounding box.",
                "absent: segment or region says where")
-          .add("segment", &Input::segment, any(Dimension::length),
-               "The part of the outline on this segment.", "absent: on or region says where")
+          .add(
+              "segment", &Input::segment, any(Dimension::length),
+              "The part of the outline on this segment; mpm_pf holds only segments along x or y, a "
+              "slanted one by a region.",
+              "absent: on or region says where")
           .add("region", &Input::region, any(Dimension::length), region,
                "absent: on or segment says where")
           .exclusive({"on", "segment", "region"}, true);
