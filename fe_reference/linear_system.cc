@@ -14,7 +14,7 @@
 #include <unordered_map>
 
 #include "library.h"
-#include "record/provenance.h"
+#include "record/stopwatch.h"
 
 namespace fe
 {
@@ -29,8 +29,7 @@ namespace fe
     std::unique_ptr<Epetra_LinearProblem> problem;
     std::unique_ptr<Amesos_BaseSolver> solver;
     const char *name = "";
-    double wall = 0., cpu = 0.;
-    long count = 0;
+    record::Profile::Part cost;
     bool ordered = false;
 
     Epetra_CrsMatrix &epetra() { return const_cast<Epetra_CrsMatrix &>(matrix.trilinos_matrix()); }
@@ -161,7 +160,7 @@ namespace fe
 
   std::vector<double> LinearSystem::solve(const std::vector<double> &right_side)
   {
-    const double wall = record::wall_seconds(), cpu = record::cpu_seconds();
+    const record::Stopwatch stopwatch;
     Trilinos &t = *trilinos;
     Epetra_MultiVector &b = t.right_side.trilinos_vector(), &x = t.solution.trilinos_vector();
     for (std::size_t k = 0; k < t.owned.size(); ++k)
@@ -178,23 +177,21 @@ namespace fe
     for (std::size_t k = 0; k < t.owned.size(); ++k)
       result[t.owned[k]] = x[0][k];
     sum_over_processes(result);
-    t.wall += record::wall_seconds() - wall;
-    t.cpu += record::cpu_seconds() - cpu;
-    ++t.count;
+    stopwatch.add_to(t.cost);
     return result;
   }
 
   double LinearSystem::factorisation_seconds() const
   {
-    return trilinos->wall;
+    return trilinos->cost.wall_s;
   }
   double LinearSystem::factorisation_cpu_seconds() const
   {
-    return trilinos->cpu;
+    return trilinos->cost.cpu_s;
   }
   long LinearSystem::factorisations() const
   {
-    return trilinos->count;
+    return trilinos->cost.calls;
   }
   const char *LinearSystem::solver_name() const
   {

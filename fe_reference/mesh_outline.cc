@@ -201,9 +201,9 @@ namespace fe
     std::vector<scene::Polyline> exact = scene::outline(bodies, domain, 0.1 * size), outlines;
     for (scene::Polyline &outline : exact)
     {
-      outline = with_ends(outline, held_or_loaded, tolerance, tolerance);
+      outline = with_ends(outline, held_or_loaded, {tolerance, tolerance});
       const std::vector<char> ends = ends_of_parts(outline, size, held_or_loaded, box, tolerance);
-      outlines.push_back(simplify_outline(outline, ends, 0.02 * size, 0.5 * size));
+      outlines.push_back(simplify_outline(outline, ends, {0.02 * size, 0.5 * size}));
       if (scene::crosses_itself(outlines.back())) // what gmsh then throws cannot be caught
         refuse_crossing(bodies.front().place);
     }

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "overlap.h"
+#include "record/stopwatch.h"
 #include "scene/geometry.h"
 #include "scene/quantities.h"
 #include "scene/schedule.h"
@@ -54,17 +55,6 @@ namespace fe
       return !std::holds_alternative<scene::ReactionProbe>(probe.kind) &&
              !std::holds_alternative<scene::HistoryProbe>(probe.kind);
     }
-
-    struct Stopwatch
-    {
-      double &wall, &cpu;
-      double wall_start = record::wall_seconds(), cpu_start = record::cpu_seconds();
-      ~Stopwatch()
-      {
-        wall += record::wall_seconds() - wall_start;
-        cpu += record::cpu_seconds() - cpu_start;
-      }
-    };
   } // namespace
 
   Observer::Observer(const scene::Scene &scene_, const Problem &problem_, record::Writer *writer_)
@@ -101,7 +91,7 @@ namespace fe
 
   void Observer::observe(const Step &step)
   {
-    const Stopwatch stopwatch{wall, cpu};
+    const record::PartTimer timer(output);
     monitor_folding(step);
     if (several_pieces)
       overlapping = overlap_of_pieces(problem.mesh, problem.supports.piece, step.state.u);
@@ -143,7 +133,7 @@ namespace fe
 
   void Observer::observe_last(const Step &step)
   {
-    const Stopwatch stopwatch{wall, cpu};
+    const record::PartTimer timer(output);
     const Snapshot body = snapshot_of(step);
     on_first_process(
         [&]

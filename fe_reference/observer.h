@@ -49,8 +49,8 @@ namespace fe
     std::string self_overlap(const State &) const;
     double smallest_nodal_jacobian() const { return smallest_nodal; }
     int folded_cells_at_end() const { return folded_now; }
-    double wall_seconds() const { return wall; }
-    double cpu_seconds() const { return cpu; }
+    /// Time spent observing.
+    const record::Profile::Part &cost() const { return output; }
 
   private:
     struct ScheduledProbe
@@ -80,6 +80,6 @@ namespace fe
     Folding folds;
     double smallest_nodal = 1.;
     int folded_now = 0;
-    double wall = 0., cpu = 0.;
+    record::Profile::Part output{"output"};
   };
 } // namespace fe

@@ -12,6 +12,7 @@
 #include "observer.h"
 #include "plan.h"
 #include "record/progress.h"
+#include "record/stopwatch.h"
 #include "scene/value.h"
 #include "state_checkpoint.h"
 #include "versions.h"
@@ -63,8 +64,8 @@ namespace fe
     {
       const scene::Scene &scene;
       const record::CommandLine &command;
-      double wall_start = record::wall_seconds();
-      double setup_wall = 0., setup_cpu = 0.;
+      record::Stopwatch whole = {};
+      record::Profile::Part setup{"set-up"};
       std::unique_ptr<record::Writer> writer = nullptr; // process 0 only
       bool first = process_number() == 0;
 
@@ -101,12 +102,14 @@ namespace fe
     record::Profile Run::profile(const Problem &problem, const LinearSystem &system,
                                  const Observer &observer, const SteppingState &stepping) const
     {
-      const double wall = record::wall_seconds() - wall_start, cpu = record::cpu_seconds();
+      const double wall = whole.wall_seconds(), cpu = record::cpu_seconds();
+      record::Profile::Part output = observer.cost();
+      output.calls = 1;
       record::Profile profile;
-      profile.parts = {{"set-up", setup_wall, setup_cpu, 1},
-                       {"solve", wall - setup_wall - observer.wall_seconds(),
-                        cpu - setup_cpu - observer.cpu_seconds(), stepping.steps},
-                       {"output", observer.wall_seconds(), observer.cpu_seconds(), 1},
+      profile.parts = {setup,
+                       {"solve", wall - setup.wall_s - output.wall_s,
+                        cpu - setup.cpu_s - output.cpu_s, stepping.steps},
+                       output,
                        {"factorisations", system.factorisation_seconds(),
                         system.factorisation_cpu_seconds(), system.factorisations()}};
       profile.numbers = {{"steps", stepping.steps},
@@ -235,18 +238,17 @@ namespace fe
       Observer observer(scene, problem, run.writer.get());
       if (saved)
         observer.resume(saved->folding);
-      run.setup_wall = record::wall_seconds() - run.wall_start;
-      run.setup_cpu = record::cpu_seconds();
+      run.setup = {"set-up", run.whole.wall_seconds(), record::cpu_seconds(), 1};
 
       const double begin = saved ? saved->state.time : 0.;
       record::Progress progress(std::cerr, record::Progress::style_of_stderr(!run.first),
-                                "fe_reference " + scene.title, begin, scene.clock.end);
-      double last_checkpoint = record::wall_seconds();
+                                "fe_reference " + scene.title, {begin, scene.clock.end});
+      record::Stopwatch since_checkpoint;
       const auto checkpoint = [&](const State &state, const SteppingState &stepping)
       {
         on_first_process([&] { run.writer->flush(); });
-        save(run.checkpoint_path(), scene, problem, state, stepping, observer.folding());
-        last_checkpoint = record::wall_seconds();
+        save(run.checkpoint_path(), scene, problem, {state, stepping, observer.folding()});
+        since_checkpoint = {};
       };
 
       SteppingOptions options = make_options(scene, problem, observer, stop_asked);
@@ -257,8 +259,7 @@ namespace fe
         now << "step " << step.stepping.steps << ", " << step.newton.iterations
             << " iterations, smallest Jacobian " << step.state.smallest_jacobian;
         progress.update(step.state.time, now.str());
-        const double waited = record::wall_seconds() - last_checkpoint;
-        if (-minimum_over_processes(-waited) > seconds_between_checkpoints)
+        if (-minimum_over_processes(-since_checkpoint.wall_seconds()) > seconds_between_checkpoints)
           checkpoint(step.state, step.stepping);
       };
 

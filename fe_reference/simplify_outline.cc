@@ -127,7 +127,7 @@ namespace fe
   }
 
   scene::Polyline simplify_outline(const scene::Polyline &outline, const std::vector<char> &marked,
-                                   const double tolerance, const double gap)
+                                   const Simplification &lengths)
   {
     if (outline.size() < 4)
       return outline;
@@ -145,7 +145,7 @@ namespace fe
     for (std::size_t from = 0, to = 1; to < open.size(); ++to)
       if (ends[to])
       {
-        keep_between(open, from, to, tolerance, kept);
+        keep_between(open, from, to, lengths.tolerance, kept);
         from = to;
       }
 
@@ -153,7 +153,7 @@ namespace fe
     for (std::size_t k = 0; k + 1 < open.size(); ++k)
       if (kept[k])
         vertices.push_back({open[k], marked[k] != 0});
-    part_close_pairs(vertices, gap);
+    part_close_pairs(vertices, lengths.gap);
     if (vertices.size() < 3)
       return outline;
     Polyline result;

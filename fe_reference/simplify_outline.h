@@ -21,8 +21,12 @@ namespace fe
                                   const std::vector<scene::Where> &parts,
                                   const scene::Box &bodies_box, double tolerance);
 
-  /// Both lengths in the scene's unit; marked vertices stay. A curve that would lose its area comes
+  struct Simplification
+  {
+    double tolerance, gap; // lengths in the scene's unit, see above
+  };
+  /// Marked vertices stay. A curve that would lose its area comes
   /// back unchanged.
   scene::Polyline simplify_outline(const scene::Polyline &, const std::vector<char> &marked,
-                                   double tolerance, double gap);
+                                   const Simplification &);
 } // namespace fe

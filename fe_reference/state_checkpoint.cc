@@ -9,10 +9,10 @@ namespace fe
 {
   namespace
   {
-    void write(const std::string &path, const scene::Scene &scene, const State &state,
-               const std::vector<double> &points, const SteppingState &stepping,
-               const Folding &folding)
+    void write(const std::string &path, const scene::Scene &scene, const StateToSave &saved,
+               const std::vector<double> &points)
     {
+      const auto &[state, stepping, folding] = saved;
       record::CheckpointFile checkpoint(path, scene);
       checkpoint.put("time", state.time);
       checkpoint.put("smallest_jacobian", state.smallest_jacobian);
@@ -34,10 +34,10 @@ namespace fe
   } // namespace
 
   void save(const std::string &path, const scene::Scene &scene, const Problem &problem,
-            const State &state, const SteppingState &stepping, const Folding &folding)
+            const StateToSave &saved)
   {
-    const std::vector<double> points = gather_points(problem.mesh, state.points);
-    on_first_process([&] { write(path, scene, state, points, stepping, folding); });
+    const std::vector<double> points = gather_points(problem.mesh, saved.state.points);
+    on_first_process([&] { write(path, scene, saved, points); });
   }
 
   SavedState load(const std::string &path, const scene::Scene &scene, const Problem &problem)

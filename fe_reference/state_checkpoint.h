@@ -7,8 +7,13 @@
 namespace fe
 {
   /// Every process must call it; process 0 writes. `points` are gathered from all.
-  void save(const std::string &path, const scene::Scene &, const Problem &, const State &,
-            const SteppingState &, const Folding &);
+  struct StateToSave
+  {
+    const State &state;
+    const SteppingState &stepping;
+    const Folding &folding;
+  };
+  void save(const std::string &path, const scene::Scene &, const Problem &, const StateToSave &);
 
   struct SavedState
   {

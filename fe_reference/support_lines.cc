@@ -80,14 +80,15 @@ namespace fe
   } // namespace
 
   Polyline with_ends(const Polyline &outline, const std::vector<scene::Where> &parts,
-                     const double gap, const double tolerance)
+                     const EndTolerances &tolerances)
   {
+    const auto [gap, matching] = tolerances;
     Polyline result;
     for (std::size_t k = 0; k < outline.size(); ++k)
     {
       const Point p = outline[k], q = outline[(k + 1) % outline.size()];
       result.push_back(p);
-      for (const double t : ends_on(p, q, parts, tolerance))
+      for (const double t : ends_on(p, q, parts, matching))
       {
         const Point end = p + t * (q - p);
         if (t > 0. && t < 1. && (end - result.back()).norm() > gap && (end - q).norm() > gap)

@@ -11,10 +11,14 @@
 
 namespace fe
 {
-  /// The outline with vertices where a part (matched within `tolerance`) begins or ends on it; none
+  struct EndTolerances
+  {
+    double gap, matching; // lengths
+  };
+  /// The outline with vertices where a part (within `matching`) begins or ends on it; none
   /// closer than `gap` to another.
   scene::Polyline with_ends(const scene::Polyline &, const std::vector<scene::Where> &parts,
-                            double gap, double tolerance);
+                            const EndTolerances &);
 
   /// Sides of held boxes in the material, cut at the outlines and shorter pieces than `gap` left
   /// out; empty if boxes meet, whose sides might cross.

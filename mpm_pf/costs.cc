@@ -50,7 +50,12 @@ std::map<std::string, double> numbers(const World &world)
   std::map<std::string, double> all;
   if (world.solid)
   {
-    all = solid::numbers(*world.solid);
+    const solid::DensityScaling scaling = solid::density_scaling(*world.solid);
+    all = {{"density", scaling.density},
+           {"density_scale", scaling.scale},
+           {"wave_speed", scaling.wave_speed},
+           {"reference_speed", scaling.reference_speed},
+           {"mach", scaling.mach()}};
     all["steps"] = static_cast<double>(solid::steps(*world.solid));
     all["points"] = static_cast<double>(solid::points(*world.solid));
     all["cells"] = static_cast<double>(solid::cells(*world.solid));

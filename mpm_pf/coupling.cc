@@ -5,10 +5,10 @@
 
 #include "medium/numerical_error.h"
 #include "medium/sums.h"
+#include "record/stopwatch.h"
 #include "scene/value.h"
 #include "solid/growing.h"
 #include "solid/moving_walls.h"
-#include "stopwatch.h"
 
 namespace
 {
@@ -126,7 +126,7 @@ bool coupled(const World &w)
 
 void move_walls(World &w, const double dt)
 {
-  const Stopwatch watch(w, "walls");
+  const record::PartTimer timer = record::time_part(w.spent, "walls");
   if (w.phase)
     medium::start_walls(*w.walls, w.phase->value, *w.mesh, w.time,
                         w.solid && !w.scene->growth ? medium::Contact::push
@@ -138,7 +138,7 @@ void move_walls(World &w, const double dt)
 
 void impose(World &w, const double dt)
 {
-  const Stopwatch watch(w, "imposed motion");
+  const record::PartTimer timer = record::time_part(w.spent, "imposed motion");
   w.imposed->evaluate(w.time + dt / 2, *w.mesh, *w.velocity);
   if (w.walls)
     medium::fill_behind(*w.velocity, *w.walls, *w.mesh);
@@ -164,13 +164,13 @@ void move_solid(World &w, const double dt)
     solid::set_wall_motions(*w.solid, motions(*w.walls), dt);
   solid::NodalVelocity mean;
   {
-    const Stopwatch watch(w, "solid");
+    const record::PartTimer timer = record::time_part(w.spent, "solid");
     solid::advance(*w.solid, dt, &mean);
     note_contacts(w, w.time + dt);
   }
-  const Stopwatch watch(w, "extension");
+  const record::PartTimer timer = record::time_part(w.spent, "extension");
   const double full_mass =
-      solid::numbers(*w.solid).at("density") * w.mesh->spacing[0] * w.mesh->spacing[1];
+      solid::density_scaling(*w.solid).density * w.mesh->spacing[0] * w.mesh->spacing[1];
   const auto material = copy_velocity(mean, full_mass, *w.mesh, *w.velocity);
   medium::extend_into_liquid<double>(*w.extension, {&w.velocity->x, &w.velocity->y}, w.phase->value,
                                      material, *w.mesh);
@@ -182,7 +182,7 @@ void move_solid_alone(World &w, const double dt)
 {
   if (w.walls)
     solid::set_wall_motions(*w.solid, motions(*w.walls), dt);
-  const Stopwatch watch(w, "solid");
+  const record::PartTimer timer = record::time_part(w.spent, "solid");
   solid::advance(*w.solid, dt);
   note_contacts(w, w.time + dt);
 }
@@ -235,7 +235,7 @@ namespace
 
 void advect_melt(World &w, const double dt)
 {
-  const Stopwatch watch(w, "advection");
+  const record::PartTimer timer = record::time_part(w.spent, "advection");
   const long steps = advection_steps(w, dt);
   for (long k = 0; k < steps; ++k)
     advect_once(w, dt / static_cast<double>(steps));
@@ -255,18 +255,18 @@ void grow(World &w, const double dt)
     update_cuts(w);
   if (grows_points(w))
   {
-    const Stopwatch watch(w, "seeding");
+    const record::PartTimer timer = record::time_part(w.spent, "seeding");
     solid::begin_growth(*w.solid, crystal(w));
   }
   {
-    const Stopwatch watch(w, w.scene->growth ? "growth" : "heat");
+    const record::PartTimer timer = record::time_part(w.spent, w.scene->growth ? "growth" : "heat");
     sweep(w, dt);
   }
   if (w.walls && w.phase)
     medium::fill_behind(w.phase->value, w.walls->cuts, *w.mesh);
   if (grows_points(w))
   {
-    const Stopwatch watch(w, "seeding");
+    const record::PartTimer timer = record::time_part(w.spent, "seeding");
     solid::seed_new_points(*w.solid, crystal(w));
   }
 }

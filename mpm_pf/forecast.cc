@@ -11,7 +11,7 @@
 #include "costs.h"
 #include "forecast_output.h"
 #include "forecast_probes.h"
-#include "record/provenance.h"
+#include "record/stopwatch.h"
 #include "scene/quantities.h"
 #include "simulate.h"
 
@@ -85,9 +85,9 @@ Forecast make_forecast(const scene::Scene &scene, const int threads, const bool 
                            ? triad_seconds(static_cast<std::size_t>(scene.domain.cells[0]) *
                                            static_cast<std::size_t>(scene.domain.cells[1]))
                            : 0.;
-  const double begin = record::cpu_seconds();
+  const record::Stopwatch setup;
   World world = build_world(scene, threads, force);
-  forecast.seconds["set-up"] = record::cpu_seconds() - begin;
+  forecast.seconds["set-up"] = setup.cpu_seconds();
   if (world.mesh)
     forecast.counts["nodes"] = static_cast<double>(world.mesh->node_count());
   if (scene.growth)

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "coupling.h"
-#include "record/provenance.h"
+#include "record/stopwatch.h"
 
 double seconds_of(const std::function<void()> &call, const double budget, const int most)
 {
@@ -14,21 +14,21 @@ double seconds_of(const std::function<void()> &call, const double budget, const 
   // In rounds, of which the least disturbed counts: neighbours slow a probe of some hundredths of a
   // second by a factor, a run by its mean.
   constexpr int rounds = 4;
-  const double start = record::cpu_seconds();
+  const record::Stopwatch whole;
   double least = std::numeric_limits<double>::infinity();
   int calls = 0;
   do
   {
-    const double begin = record::cpu_seconds();
+    const record::Stopwatch round;
     int of_round = 0;
     do
     {
       call();
       ++of_round;
-    } while (record::cpu_seconds() - begin < budget / rounds && calls + of_round < most);
-    least = std::min(least, (record::cpu_seconds() - begin) / of_round);
+    } while (round.cpu_seconds() < budget / rounds && calls + of_round < most);
+    least = std::min(least, round.cpu_seconds() / of_round);
     calls += of_round;
-  } while (record::cpu_seconds() - start < budget && calls < most);
+  } while (whole.cpu_seconds() < budget && calls < most);
   return least;
 }
 

@@ -92,9 +92,9 @@ bool Imposed::is_constant_over(const double time, const double length, const dou
   return same;
 }
 
-double Imposed::step(const double time, const double longest, const double end,
-                     const double fraction, const medium::Mesh &mesh) const
+double Imposed::step(const StepLimits &limits, const medium::Mesh &mesh) const
 {
+  const auto [time, longest, end, fraction] = limits;
   constexpr double least_steps = 200.; // a motion that changes is resolved by this many at least
   const double now = is_steady ? rate : crossing_rate(time, mesh);
   double length = std::min(longest, end);

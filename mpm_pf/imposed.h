@@ -31,7 +31,12 @@ public:
   /// motion changes it is resolved by 1/200 of the run at least, and the fastest of five moments of
   /// the step counts. Every fourth node is looked at. Throws medium::NumericalError if the run
   /// would stand still.
-  double step(double time, double longest, double end, double fraction, const medium::Mesh &) const;
+  struct StepLimits
+  {
+    double time, longest, end; // when it begins, its bound, end of the run
+    double fraction;           // of a cell
+  };
+  double step(const StepLimits &, const medium::Mesh &) const;
 
 private:
   template <class Visit>

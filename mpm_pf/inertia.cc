@@ -56,7 +56,7 @@ Inertia inertia(const World &world)
   Inertia found;
   found.opposed = world.walls->at(opposite) != nullptr;
   found.arm = arm(world, wall);
-  found.numbers = solid::quasi_static(*world.solid, found.arm, wall.asked.speed);
+  found.numbers = solid::quasi_static(*world.solid, {found.arm, wall.asked.speed});
   return found;
 }
 
@@ -92,13 +92,13 @@ std::string warning_on_scaling(const World &world)
            "and with it their momentum; leave mach out";
   const scene::Box box = scene::bounding_box(scene.bodies);
   const double length = (box.upper - box.lower).maxCoeff();
-  const auto numbers = solid::numbers(*world.solid);
-  const double crossings = numbers.at("wave_speed") * scene.clock.end / length;
+  const solid::DensityScaling scaling = solid::density_scaling(*world.solid);
+  const double crossings = scaling.wave_speed * scene.clock.end / length;
   if (crossings >= enough)
     return {};
   std::ostringstream text;
   text.precision(2);
-  text << "not quasi-static: mpm.mach multiplies the density by " << numbers.at("density_scale")
+  text << "not quasi-static: mpm.mach multiplies the density by " << scaling.scale
        << ", with which a wave crosses the bodies " << crossings
        << " times in the whole run; lower mach, or give the speed of the loading as "
           "mpm.reference_speed";

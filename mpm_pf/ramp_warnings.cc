@@ -15,17 +15,13 @@ namespace
   constexpr double nearly = 0.9 * enough; // scenes are written with round numbers
   constexpr double bearable = 0.01;       // of the strength
 
-  double number(const World &world, const char *name)
-  {
-    return solid::numbers(*world.solid).at(name);
-  }
-
   /// The stress rho c V of an impact at that speed over what the material bears.
   double impact_ratio(const World &world, const double speed)
   {
     const scene::Solid &solid = *world.scene->solid;
     const double strength = solid.yield_stress.value_or(0.01 * solid.young_modulus);
-    return number(world, "density") * number(world, "wave_speed") * speed / strength;
+    const solid::DensityScaling scaling = solid::density_scaling(*world.solid);
+    return scaling.density * scaling.wave_speed * speed / strength;
   }
 
   struct Load
@@ -36,7 +32,7 @@ namespace
 
   std::string sentence(const World &world, const Load &load)
   {
-    const double transit = load.length / number(world, "wave_speed");
+    const double transit = load.length / solid::density_scaling(*world.solid).wave_speed;
     const double stress = impact_ratio(world, load.speed), transits = load.time / transit;
     if (transits >= nearly || !(stress > bearable))
       return {};
@@ -119,7 +115,8 @@ std::string warning_on_support_ramps(const World &world)
       driven.push_back(&support);
   // Where both ends are driven, the middle is what a wave from either comes to.
   const double length = (box.upper - box.lower).maxCoeff() / (driven.size() > 1 ? 2. : 1.);
-  const double window = std::min(scene.clock.end, enough * length / number(world, "wave_speed"));
+  const double window =
+      std::min(scene.clock.end, enough * length / solid::density_scaling(*world.solid).wave_speed);
   constexpr int samples = 400;
   for (const scene::Support *support : driven)
   {

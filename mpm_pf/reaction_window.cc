@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-ReactionWindow::ReactionWindow(std::vector<double> samples, const double half_width,
-                               const double run_end)
-    : times(std::move(samples)), half(half_width), end(run_end), tolerance(1e-9 * run_end)
+ReactionWindow::ReactionWindow(const ReactionSampling &sampling)
+    : times(sampling.times), half(sampling.half_width), end(sampling.end),
+      tolerance(1e-9 * sampling.end)
 {
 }
 

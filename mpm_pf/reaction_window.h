@@ -19,11 +19,17 @@ struct ReactionRow
   scene::Point force = scene::Point::Zero(), displacement = scene::Point::Zero();
 };
 
+/// Samples at `times` (sorted), windows of half width `half_width`, cut off at 0 and `end`. Time.
+struct ReactionSampling
+{
+  std::vector<double> times;
+  double half_width = 0., end = 0.;
+};
+
 class ReactionWindow
 {
 public:
-  /// Samples at `times` (sorted), windows of half width `half`, cut off at 0 and `end`.
-  ReactionWindow(std::vector<double> times, double half, double end);
+  explicit ReactionWindow(const ReactionSampling &);
 
   /// Every time at which add() must be called: samples and the ends of their windows.
   std::vector<double> events() const;

@@ -6,6 +6,7 @@
 
 #include "melt/thin_interface.h"
 #include "observe.h"
+#include "record/stopwatch.h"
 #include "scene/schedule.h"
 #include "scene/units.h"
 #include "solid/moving_walls.h"
@@ -28,7 +29,7 @@ Recorder::Recorder(const scene::Scene &scene, record::Writer &out)
     {
       scheduled_supports.push_back(reaction->support);
       const double interval = scene::sample_interval(probe, end);
-      schedule_reaction(probe.name, reaction->support, times, interval / 2, end);
+      schedule_reaction(probe.name, reaction->support, {times, interval / 2, end});
     }
     else
     {
@@ -43,8 +44,8 @@ Recorder::Recorder(const scene::Scene &scene, record::Writer &out)
       scene::Probe probe;
       probe.kind = scene::ReactionProbe{support.name};
       const double interval = scene::sample_interval(probe, end);
-      schedule_reaction("reaction " + support.name, support.name, scene::sample_times(probe, end),
-                        interval / 2, end);
+      schedule_reaction("reaction " + support.name, support.name,
+                        {scene::sample_times(probe, end), interval / 2, end});
     }
   std::sort(events.begin(), events.end());
   events.erase(std::unique(events.begin(), events.end(),
@@ -53,10 +54,9 @@ Recorder::Recorder(const scene::Scene &scene, record::Writer &out)
 }
 
 void Recorder::schedule_reaction(const std::string &name, const std::string &support,
-                                 const std::vector<double> &times, const double half,
-                                 const double end)
+                                 const ReactionSampling &sampling)
 {
-  ReactionWindow window(times, half, end);
+  ReactionWindow window(sampling);
   auto own = window.events();
   std::sort(own.begin(), own.end());
   own.erase(
@@ -97,15 +97,13 @@ bool Recorder::reaches_compression(ScheduledProbe &scheduled, const World &world
 
 void Recorder::observe(const World &world)
 {
-  const double wall_before = record::wall_seconds(), cpu_before = record::cpu_seconds();
+  const record::PartTimer timer(output);
   for (auto &scheduled : scheduled_probes)
     if (due(scheduled.times, scheduled.next, world.time) || reaches_compression(scheduled, world))
       observe_probe(*scheduled.probe, world);
   for (auto &reaction : reactions)
     if (due(reaction.events, reaction.next, world.time))
       observe_reaction(reaction, world);
-  wall += record::wall_seconds() - wall_before;
-  cpu += record::cpu_seconds() - cpu_before;
 }
 
 void Recorder::observe_early_end(const World &world)

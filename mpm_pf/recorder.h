@@ -31,9 +31,8 @@ public:
   /// A run that walls end before clock.end: what was still to be recorded is recorded now, once.
   void observe_early_end(const World &);
 
-  /// CPU and wall seconds spent observing.
-  double cpu_seconds() const { return cpu; }
-  double wall_seconds() const { return wall; }
+  /// Time spent observing.
+  const record::Profile::Part &cost() const { return output; }
 
   /// What the program has to say about its own resolution; empty if nothing.
   const std::string &warning() const
@@ -59,7 +58,7 @@ private:
     std::size_t next = 0;
   };
   void schedule_reaction(const std::string &name, const std::string &support,
-                         const std::vector<double> &times, double half, double end);
+                         const ReactionSampling &);
   bool due(const std::vector<double> &times, std::size_t &next, double time) const;
   bool reaches_compression(ScheduledProbe &, const World &) const;
   void observe_probe(const scene::Probe &, const World &);
@@ -74,5 +73,5 @@ private:
   std::map<std::string, melt::TipTrack> tracks; // of tip probes, by name
   std::string interface_warning; // too wide or too narrow an interface, known from the scene
   std::string tip_warning;       // the last warning about a tip
-  double cpu = 0., wall = 0.;
+  record::Profile::Part output{"output"};
 };

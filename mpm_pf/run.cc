@@ -19,12 +19,13 @@
 #include "ramp_warnings.h"
 #include "record/checkpoint.h"
 #include "record/progress.h"
+#include "record/stopwatch.h"
 #include "simulate.h"
 
 namespace
 {
-  constexpr double seconds_between_checkpoints = 300.;
-  constexpr double seconds_between_memory_checks = 0.25;
+  constexpr double checkpoint_interval_s = 300.;
+  constexpr double memory_check_interval_s = 0.25;
   constexpr auto last_good = "last good state";
 
   std::string checkpoint_path(const record::CommandLine &command)
@@ -43,16 +44,17 @@ namespace
   }
 
   record::Profile profile_of(const World &world, const Recorder &recorder,
-                             const std::map<std::string, double> &held, const double setup_cpu,
-                             const double setup_wall, const double begin_wall)
+                             const std::map<std::string, double> &held,
+                             const record::Profile::Part &setup, const record::Stopwatch &whole)
   {
     record::Profile profile;
-    const double cpu = record::cpu_seconds(), wall = record::wall_seconds() - begin_wall;
-    const double output_cpu = recorder.cpu_seconds(), output_wall = recorder.wall_seconds();
-    profile.parts = {
-        {"set-up", setup_wall, setup_cpu, 1},
-        {"solve", wall - setup_wall - output_wall, cpu - setup_cpu - output_cpu, world.steps},
-        {"output", output_wall, output_cpu, 1}};
+    const double cpu = record::cpu_seconds(), wall = whole.wall_seconds();
+    record::Profile::Part output = recorder.cost();
+    output.calls = 1;
+    profile.parts = {setup,
+                     {"solve", wall - setup.wall_s - output.wall_s,
+                      cpu - setup.cpu_s - output.cpu_s, world.steps},
+                     output};
     for (const auto &part : parts(world))
       profile.parts.push_back(part);
     profile.numbers = numbers(world);
@@ -84,7 +86,7 @@ namespace
     record::Profile profile()
     {
       measure_memory();
-      return profile_of(world, *recorder, held, setup_cpu, setup_wall, begin_wall);
+      return profile_of(world, *recorder, held, setup, whole);
     }
     void forget_checkpoint() const
     {
@@ -94,8 +96,9 @@ namespace
 
     const scene::Scene &scene;
     const record::CommandLine &command;
-    double begin_wall = record::wall_seconds();
-    double setup_cpu = 0., setup_wall = 0., last_checkpoint = 0., last_memory_check = 0.;
+    record::Stopwatch whole, since_checkpoint;
+    std::optional<record::Stopwatch> since_memory_check; // not before the first
+    record::Profile::Part setup{"set-up"};
     bool saved = false; // there is a checkpoint of this run
     World world;
     std::map<std::string, double> held; // bytes by module, when they were most
@@ -109,11 +112,10 @@ namespace
   {
     std::cerr << size(world);
     open(command.resume);
-    setup_cpu = record::cpu_seconds();
-    setup_wall = record::wall_seconds() - begin_wall;
-    last_checkpoint = record::wall_seconds();
+    setup = {"set-up", whole.wall_seconds(), record::cpu_seconds(), 1};
+    since_checkpoint = {};
     progress.emplace(std::cerr, record::Progress::style_of_stderr(false), "mpm_pf " + scene.title,
-                     world.time, scene.clock.end);
+                     record::Progress::Range{world.time, scene.clock.end});
   }
 
   void Session::open(const bool resume)
@@ -141,7 +143,7 @@ namespace
   {
     writer->flush();
     save_checkpoint(world, *recorder, checkpoint_path(command));
-    last_checkpoint = record::wall_seconds();
+    since_checkpoint = {};
     saved = true;
   }
 
@@ -152,18 +154,17 @@ namespace
       double &most = held[what];
       most = std::max(most, bytes);
     }
-    last_memory_check = record::wall_seconds();
+    since_memory_check.emplace();
   }
 
   bool Session::after_step(const std::function<bool()> &stop_asked)
   {
     progress->set_end(expected_end(world));
     progress->update(world.time, "step " + std::to_string(world.steps));
-    const double now = record::wall_seconds();
-    if (now - last_memory_check > seconds_between_memory_checks)
+    if (!since_memory_check || since_memory_check->wall_seconds() > memory_check_interval_s)
       measure_memory();
     const bool stop = stop_asked();
-    if (stop || now - last_checkpoint > seconds_between_checkpoints)
+    if (stop || since_checkpoint.wall_seconds() > checkpoint_interval_s)
       save();
     return !stop;
   }
@@ -240,10 +241,8 @@ namespace
         warning += (warning.empty() ? "" : "; ") + doubt;
     const auto tell = [&](const char *attribute, const std::string &text)
     {
-      if (text.empty())
-        return;
-      std::cerr << "mpm_pf: " << text << '\n';
-      writer->attribute(attribute, text);
+      if (!text.empty())
+        std::cerr << "mpm_pf: " << text << '\n', writer->attribute(attribute, text);
     };
     tell("warning", warning);
     tell("inertia", verdict_on_inertia(world));

@@ -217,7 +217,7 @@ namespace
   /// carried by its mean, `fraction` of a cell at most.
   double motion_limit(const World &world, const double fraction)
   {
-    const double reference = solid::numbers(*world.solid).at("reference_speed");
+    const double reference = solid::density_scaling(*world.solid).reference_speed;
     const double present = solid::largest_speed(*world.solid);
     const double room = fraction * world.scene->domain.spacing()[0];
     // Points swing about the speed at which they are driven, and are squeezed out ahead of it; what
@@ -257,7 +257,7 @@ double coupling_step(const World &world)
         step, (world.walls || world.solid ? substeps_between_couplings : substeps_between_looks) *
                   growth_step(world));
   if (world.imposed)
-    step = world.imposed->step(world.time, step, scene.clock.end, fraction, *world.mesh);
+    step = world.imposed->step({world.time, step, scene.clock.end, fraction}, *world.mesh);
   if (world.walls)
     step = std::min(step, medium::step_limit(*world.walls, *world.mesh, fraction));
   if (world.extension)

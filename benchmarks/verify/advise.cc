@@ -149,9 +149,9 @@ namespace verify
     }
   } // namespace
 
-  int advise(const Paths &paths, const std::string &name, const std::string &quantity,
-             const std::string &error, const std::string &output)
+  int advise(const Paths &paths, const AdviceRequest &request)
   {
+    const auto &[name, quantity, error, output] = request;
     case_folder(paths, name);
     const double wanted = error_wanted(error);
     const std::string file = output + "/tradeoff/" + name + ".json";

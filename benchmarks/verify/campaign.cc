@@ -15,7 +15,7 @@
 
 #include "campaign_files.h"
 #include "drift.h"
-#include "record/provenance.h"
+#include "record/stopwatch.h"
 #include "safe_settings.h"
 #include "section.h"
 
@@ -202,7 +202,7 @@ namespace verify
     Campaign campaign;
     campaign.options = options;
     campaign.started = fmt::format("{:%Y-%m-%d %H:%M:%S} UTC", fmt::gmtime(std::time(nullptr)));
-    const double start = record::wall_seconds();
+    const record::Stopwatch stopwatch;
     for (const auto &c : read_cases(options.cases, options.suite, paths))
       campaign.cases.push_back({c, {}, {}, {}, {}});
     std::vector<Job> all;
@@ -229,7 +229,7 @@ namespace verify
         accept(result.verdicts, result.c);
     }
     make_forecasts(campaign);
-    campaign.wall_s = record::wall_seconds() - start;
+    campaign.wall_s = stopwatch.wall_seconds();
     campaign.exit_code = interrupted() ? 130 : exit_code(campaign.cases);
     write_campaign(campaign, paths);
     return campaign;

@@ -172,24 +172,23 @@ namespace verify
 
   namespace
   {
-    int table(const Paths &paths, const char *script, const std::string &folder,
-              const std::string &readme)
+    int table(const Paths &paths, const char *script, const TableRequest &request)
     {
-      std::vector<std::string> arguments{folder};
-      if (!readme.empty())
-        arguments.push_back(readme);
+      std::vector<std::string> arguments{request.folder};
+      if (!request.readme.empty())
+        arguments.push_back(request.readme);
       return run_python(paths, script, arguments);
     }
   } // namespace
 
-  int presets(const Paths &paths, const std::string &folder, const std::string &readme)
+  int presets(const Paths &paths, const TableRequest &request)
   {
-    return table(paths, "presets.py", folder, readme);
+    return table(paths, "presets.py", request);
   }
 
-  int modules(const Paths &paths, const std::string &folder, const std::string &readme)
+  int modules(const Paths &paths, const TableRequest &request)
   {
-    return table(paths, "report_modules.py", folder, readme);
+    return table(paths, "report_modules.py", request);
   }
 
   int figures(const Paths &paths, const std::string &folder)

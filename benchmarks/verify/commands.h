@@ -15,14 +15,23 @@ namespace verify
   int report(const Paths &, const std::string &folder);
   int diff(const std::string &folder_a, const std::string &folder_b);
   int tradeoff(const Paths &, const std::string &case_name, const CampaignOptions &);
-  int advise(const Paths &, const std::string &case_name, const std::string &quantity,
-             const std::string &error, const std::string &output);
+  struct AdviceRequest
+  {
+    std::string case_name, quantity;
+    std::string error;  // "0.02" or "2%"
+    std::string output; // where the trade was measured
+  };
+  int advise(const Paths &, const AdviceRequest &);
   int stability(const Paths &, const CampaignOptions &);
-  /// Error and cost per preset and case, from what `tradeoff` measured: on stdout, or into `readme`
-  /// if it is not empty.
-  int presets(const Paths &, const std::string &folder, const std::string &readme);
-  /// Modules, memory and time per case from campaign.json: printed, or written into `readme`.
-  int modules(const Paths &, const std::string &folder, const std::string &readme);
+  struct TableRequest
+  {
+    std::string folder; // of the campaign
+    std::string readme; // file that gets the table; "": stdout
+  };
+  /// Error and cost per preset and case, from what `tradeoff` measured.
+  int presets(const Paths &, const TableRequest &);
+  /// Modules, memory and time per case from campaign.json.
+  int modules(const Paths &, const TableRequest &);
   /// 0 drawn, 1 a figure's own program failed, 2 bad input, 4 there is nothing to draw from.
   int figures(const Paths &, const std::string &folder);
 } // namespace verify

@@ -38,10 +38,9 @@ namespace verify
     return index;
   }
 
-  GridUncertainty grid_uncertainty(const double e12, const double e23, const double r12,
-                                   const double r23, const double size_ratio, const double spread,
-                                   const double order_at_most)
+  GridUncertainty grid_uncertainty(const ThreeGrids &grids, const double order_at_most)
   {
+    const auto [e12, e23, r12, r23, size_ratio, spread] = grids;
     GridUncertainty result;
     if (e12 == 0. && e23 == 0.)
     {

@@ -7,6 +7,7 @@
 // 0.96854, 0.96178 gives p = 1.78617, f(0) = 0.971300, 0.10308 % and 0.35625 %.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -41,11 +42,15 @@ namespace verify
   /// finite.
   double observed_order(const std::vector<double> &h, const std::vector<double> &error);
 
-  /// The arithmetic behind: differences between the finest two and the next two, ratios of h;
-  /// `size_ratio`: h of the grid asked for over the finest h; `spread`: largest difference among
-  /// the three.
-  GridUncertainty grid_uncertainty(double e12, double e23, double r12, double r23,
-                                   double size_ratio, double spread, double order_at_most);
+  /// What the arithmetic behind needs of three grids, numbered from the finest.
+  struct ThreeGrids
+  {
+    double e12 = 0., e23 = 0.; // differences of their results
+    double r12 = 1., r23 = 1.; // ratios of h, coarse over fine
+    double size_ratio = 1.;    // h of the grid asked for over the finest h
+    double spread = 0.;        // largest difference among the three
+  };
+  GridUncertainty grid_uncertainty(const ThreeGrids &, double order_at_most);
   /// Indices of `h` from fine to coarse.
   std::vector<std::size_t> fine_to_coarse(const std::vector<double> &h);
 
@@ -54,12 +59,12 @@ namespace verify
                                    const std::size_t wanted, const double order_at_most)
   {
     const auto k = fine_to_coarse(h);
-    const double e12 = difference(k[0], k[1]), e23 = difference(k[1], k[2]),
-                 e13 = difference(k[0], k[2]);
-    const auto size = [](double v) { return v < 0. ? -v : v; };
-    double spread = size(e12) > size(e23) ? size(e12) : size(e23);
-    spread = spread > size(e13) ? spread : size(e13);
-    return grid_uncertainty(e12, e23, h[k[1]] / h[k[0]], h[k[2]] / h[k[1]], h[wanted] / h[k[0]],
-                            spread, order_at_most);
+    ThreeGrids grids;
+    grids.e12 = difference(k[0], k[1]), grids.e23 = difference(k[1], k[2]);
+    grids.r12 = h[k[1]] / h[k[0]], grids.r23 = h[k[2]] / h[k[1]];
+    grids.size_ratio = h[wanted] / h[k[0]];
+    for (const double e : {grids.e12, grids.e23, difference(k[0], k[2])})
+      grids.spread = std::max(grids.spread, e < 0. ? -e : e);
+    return grid_uncertainty(grids, order_at_most);
   }
 } // namespace verify

@@ -1,16 +1,17 @@
 // verify: argv -> command -> exit code; the only try/catch.
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-#include <set>
 #include <thread>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "commands.h"
-#include "nearest_name.h"
+#include "scene/nearest_name.h"
 #include "section.h"
 
 namespace
@@ -138,12 +139,12 @@ namespace
     if (app.got_subcommand("figures"))
       return figures(paths, a.output.empty() ? "results/full" : a.output);
     if (app.got_subcommand("presets"))
-      return presets(paths, a.output.empty() ? "results/full" : a.output, a.readme);
+      return presets(paths, {a.output.empty() ? "results/full" : a.output, a.readme});
     if (app.got_subcommand("modules"))
-      return modules(paths, a.output.empty() ? "results/quick" : a.output, a.readme);
+      return modules(paths, {a.output.empty() ? "results/quick" : a.output, a.readme});
     if (app.got_subcommand("advise"))
-      return advise(paths, a.name, a.quantity, a.error,
-                    a.output.empty() ? "results/full" : a.output);
+      return advise(paths,
+                    {a.name, a.quantity, a.error, a.output.empty() ? "results/full" : a.output});
     if (app.got_subcommand("tradeoff") ||
         (app.got_subcommand("stability") && !app.get_subcommand("stability")->count("--suite")))
       a.campaign.suite = "full";
@@ -159,10 +160,11 @@ namespace
 
   int no_such_command(const CLI::App &app, const std::string &written)
   {
-    std::set<std::string> commands;
+    std::vector<std::string> commands;
     for (const auto *command : app.get_subcommands(nullptr))
-      commands.insert(command->get_name());
-    const std::string nearest = nearest_name(written, commands);
+      commands.push_back(command->get_name());
+    std::sort(commands.begin(), commands.end());
+    const std::string nearest = scene::nearest_name(written, commands);
     fmt::print(stderr, "verify: no such command: `{}`{}; there are: {}\n", written,
                nearest.empty() ? "" : fmt::format(" (did you mean `{}`?)", nearest),
                fmt::join(commands, ", "));

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <toml.hpp>
 
-#include "nearest_name.h"
+#include "scene/nearest_name.h"
 
 namespace verify
 {
@@ -269,7 +269,8 @@ namespace verify
     for (const auto &[key, value] : node->value.as_table())
       if (node->asked.count(key) == 0)
       {
-        const std::string nearest = nearest_name(key, node->asked);
+        const std::string nearest =
+            scene::nearest_name(key, {node->asked.begin(), node->asked.end()});
         node->add_error(value, fmt::format("the key `{}` is not known here", key),
                         nearest.empty() ? "" : "did you mean `" + nearest + "`?");
       }

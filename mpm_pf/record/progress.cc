@@ -29,9 +29,10 @@ namespace record
     return quiet ? Style::quiet : isatty(STDERR_FILENO) != 0 ? Style::terminal : Style::log;
   }
 
-  Progress::Progress(std::ostream &out, const Style style, std::string what, const double begin,
-                     const double end, const double window_s)
-      : out(&out), style(style), what(std::move(what)), begin(begin), end(end), window_s(window_s)
+  Progress::Progress(std::ostream &out, const Style style, std::string what, const Range &range,
+                     const double window_s)
+      : out(&out), style(style), what(std::move(what)), begin(range.begin), end(range.end),
+        window_s(window_s)
   {
   }
 

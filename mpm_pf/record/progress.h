@@ -21,12 +21,16 @@ namespace record
     /// Style for stderr: quiet if asked for, else by whether it is a terminal.
     static Style style_of_stderr(bool quiet);
 
-    /// `what` opens every line, as in "mpm_pf shear"; `begin` to `end` is the simulated time to go
-    /// (begin > 0 for a resumed run: the rate counts from there). The time left is predicted from
-    /// the pace of the last one to two `window_s`: a crystal that meets a wall goes on far more
-    /// slowly.
-    Progress(std::ostream &, Style, std::string what, double begin, double end,
-             double window_s = 30.);
+    /// The simulated time to go; begin > 0 for a resumed run.
+    struct Range
+    {
+      double begin = 0., end = 0.;
+    };
+
+    /// `what` opens every line, as in "mpm_pf shear"; the rate counts from the range's begin. The
+    /// time left is predicted from the pace of the last one to two `window_s`: a crystal that meets
+    /// a wall goes on far more slowly.
+    Progress(std::ostream &, Style, std::string what, const Range &, double window_s = 30.);
 
     /// The run is now thought to last until `end` (walls may end it sooner than its clock).
     void set_end(double end);

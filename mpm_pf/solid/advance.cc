@@ -2,6 +2,7 @@
 // call asks.
 #include <cmath>
 
+#include "record/stopwatch.h"
 #include "solid/blocks.h"
 #include "solid/body.h"
 #include "solid/light_nodes.h"
@@ -15,23 +16,6 @@ namespace solid
 {
   namespace
   {
-    using Clock = std::chrono::steady_clock;
-
-    // Adds the time until its end to one part of the profile.
-    struct Timed
-    {
-      record::Profile::Part &part;
-      Clock::time_point start = Clock::now();
-      double cpu = record::cpu_seconds();
-      Timed(Solid &solid, const char *name) : part(solid.timer.parts[name]) { part.name = name; }
-      ~Timed()
-      {
-        part.wall_s += std::chrono::duration<double>(Clock::now() - start).count();
-        part.cpu_s += record::cpu_seconds() - cpu;
-        ++part.calls;
-      }
-    };
-
     // Even blocks touch two rows of nodes beyond their own; odd blocks clear what these leave.
     void clear_nodes(Grid &grid, const int block)
     {
@@ -46,7 +30,7 @@ namespace solid
 
     void points_to_nodes(Solid &solid)
     {
-      Timed timed(solid, "points to nodes");
+      const record::PartTimer timer = record::time_part(solid.spent, "points to nodes");
       Grid &grid = solid.grid;
 #pragma omp parallel num_threads(solid.threads)
       alternate(grid.blocks,
@@ -85,17 +69,16 @@ namespace solid
 
     void nodes(Solid &solid, const double dt)
     {
-      Timed timed(solid, "nodes");
-      apply_tractions(solid.loads, solid.tracers, solid.points, solid.scheme, solid.supports.folds,
-                      solid.grid, 1. / solid.material.density, solid.time);
+      const record::PartTimer timer = record::time_part(solid.spent, "nodes");
+      apply_tractions(solid);
       if (const auto &X = solid.loads.parted)
         throw NumericalError(
             "the loaded edge that started there has parted from the material, which "
             "bears no such load; lower the traction",
             solid.steps, solid.time, *X);
       move_nodes(solid, dt);
-      prescribe(solid.supports, solid.scheme, solid.points, solid.fraction,
-                solid.loads.acceleration, 1. / solid.material.density, solid.grid, solid.time, dt);
+      const HeldStep step{solid.time, dt};
+      prescribe(solid, step);
       if (solid.scheme.node_mass_floor > 0. && !solid.scheme.stress_first)
         tie_light_nodes(solid.light_nodes, solid.supports, solid.grid,
                         solid.scheme.node_mass_floor * solid.material.density * solid.grid.dx *
@@ -104,7 +87,7 @@ namespace solid
       // v* is what the points bring, not what supports make of it.
       if (solid.scheme.transfer == Transfer::xpic2)
         smooth_velocity(solid.scheme, solid.supports.folds, solid.grid, solid.points);
-      apply_supports(solid.supports, solid.grid, solid.time, dt);
+      apply_supports(solid.supports, solid.grid, step);
       add_traction_work(solid.loads, solid.grid, dt);
       move(solid.tracers, solid.scheme, solid.grid, solid.supports.folds, dt);
     }
@@ -113,14 +96,14 @@ namespace solid
     void stresses_first(Solid &solid, const double dt)
     {
       points_to_nodes(solid);
-      Timed timed(solid, "nodes to points");
+      const record::PartTimer timer = record::time_part(solid.spent, "nodes to points");
       Grid &grid = solid.grid;
       for (Node &node : grid.nodes)
         node.motion[1] = node.motion[3] = 0.;
       move_nodes(solid, dt);
-      prescribe(solid.supports, solid.scheme, solid.points, solid.fraction,
-                solid.loads.acceleration, 1. / solid.material.density, grid, solid.time, dt, false);
-      apply_supports(solid.supports, grid, solid.time, dt, false);
+      const HeldStep trial{solid.time, dt, false};
+      prescribe(solid, trial);
+      apply_supports(solid.supports, grid, trial);
       nodes_to_points(solid, dt, Part::stress);
     }
 
@@ -130,7 +113,7 @@ namespace solid
       const bool first = grid.blocks.empty() && solid.points.active > 0;
       if (!first && grid.drift < 0.25 * grid.dx)
         return;
-      Timed timed(solid, "sorting");
+      const record::PartTimer timer = record::time_part(solid.spent, "sorting");
       split_points(solid);
       sort(solid.points, grid, solid.scratch, solid.scheme.incremental(), solid.threads);
       solid.supports.marked.clear();
@@ -150,11 +133,10 @@ namespace solid
     points_to_nodes(solid);
     nodes(solid, dt);
     {
-      Timed timed(solid, "nodes to points");
+      const record::PartTimer timer = record::time_part(solid.spent, "nodes to points");
       nodes_to_points(solid, dt, stress_first ? Part::motion : Part::all);
     }
-    move_held_points(solid.supports, solid.points, solid.tracers, solid.fraction, solid.loads,
-                     solid.time, dt);
+    move_held_points(solid, dt);
     add_body_force_work(solid.loads, solid.points, dt);
     solid.time += dt;
     ++solid.steps;

@@ -119,17 +119,22 @@ namespace solid
     owed.swap(moved);
   }
 
+  namespace
+  {
+    // The numbers of a checkpoint, in its order.
+    template <typename SolidOrConst, typename F>
+    void for_each_count(SolidOrConst &solid, F &&f)
+    {
+      auto &budget = solid.growing->budget;
+      f(budget.activated), f(budget.grown), f(budget.melted), f(budget.seeded), f(budget.removed);
+      f(budget.seeded_points), f(budget.removed_points), f(solid.split_points);
+    }
+  } // namespace
+
   std::vector<double> pack_growth(const Solid &solid)
   {
-    const AreaBudget &budget = solid.growing->budget;
-    std::vector<double> packed{budget.activated,
-                               budget.grown,
-                               budget.melted,
-                               budget.seeded,
-                               budget.removed,
-                               static_cast<double>(budget.seeded_points),
-                               static_cast<double>(budget.removed_points),
-                               static_cast<double>(solid.split_points)};
+    std::vector<double> packed;
+    for_each_count(solid, [&](const auto &count) { packed.push_back(static_cast<double>(count)); });
     for (const medium::CellValue &debt : solid.growing->owed)
       packed.insert(packed.end(), {static_cast<double>(debt.cell), debt.value});
     return packed;
@@ -140,13 +145,10 @@ namespace solid
     if (packed.size() < 8 || packed.size() % 2 != 0)
       throw std::runtime_error("the checkpoint's ledger of growth is cut short");
     solid.growing = std::make_unique<Growing>(solid.domain);
-    AreaBudget &budget = solid.growing->budget;
-    budget.activated = packed[0], budget.grown = packed[1], budget.melted = packed[2];
-    budget.seeded = packed[3], budget.removed = packed[4];
-    budget.seeded_points = static_cast<long>(packed[5]);
-    budget.removed_points = static_cast<long>(packed[6]);
-    solid.split_points = static_cast<long>(packed[7]);
-    for (std::size_t k = 8; k < packed.size(); k += 2)
+    std::size_t k = 0;
+    for_each_count(solid, [&](auto &count)
+                   { count = static_cast<std::decay_t<decltype(count)>>(packed[k++]); });
+    for (; k < packed.size(); k += 2)
       solid.growing->owed.push_back({static_cast<long>(packed[k]), packed[k + 1]});
   }
 

@@ -25,11 +25,6 @@ namespace solid
     double kinetic_time = 0., internal_time = 0.;
   };
 
-  struct Timer
-  {
-    std::map<std::string, record::Profile::Part> parts;
-  };
-
   struct Solid
   {
     Scheme scheme;
@@ -47,13 +42,13 @@ namespace solid
     SortScratch scratch;
     std::vector<Share> shares; // of the blocks
     std::array<int, 2> points_per_cell{2, 2};
-    std::shared_ptr<Growing> growing; // once a crystal's points exist
-    long split_points = 0;            // so far
-    Timer timer;
-    double time = 0., speed = 0.; // largest speed of a point
-    double call_duration = 0.;    // of the last call of advance
-    double reference_speed = 0.;  // that the Mach number refers to
-    double bin = 0.;              // side of the bins of a sampled line unless it says otherwise
+    std::shared_ptr<Growing> growing;                   // once a crystal's points exist
+    long split_points = 0;                              // so far
+    std::map<std::string, record::Profile::Part> spent; // by part of a step
+    double time = 0., speed = 0.;                       // largest speed of a point
+    double call_duration = 0.;                          // of the last call of advance
+    double reference_speed = 0.;                        // that the Mach number refers to
+    double bin = 0.; // side of the bins of a sampled line unless it says otherwise
     long steps = 0;
     int threads = 1;
 

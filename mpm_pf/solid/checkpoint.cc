@@ -97,18 +97,33 @@ namespace solid
     }
   } // namespace
 
+  namespace
+  {
+    // The numbers of a checkpoint, in its order; `outlines` and `density` only to be compared.
+    template <typename SolidOrConst, typename F>
+    void for_each_number(SolidOrConst &solid, std::size_t &outlines, double &density, F &&f)
+    {
+      auto &energy = solid.energy;
+      f(solid.time), f(solid.steps), f(solid.speed), f(solid.call_duration);
+      f(energy.start), f(energy.kinetic), f(energy.dissipated);
+      f(solid.loads.work), f(solid.loads.work_done), f(solid.points.active);
+      f(outlines), f(density), f(energy.largest), f(energy.strained), f(energy.elastic_start);
+      f(energy.kinetic_time), f(energy.internal_time);
+    }
+    constexpr std::size_t number_count = 17;
+  } // namespace
+
   void checkpoint(const Solid &solid,
                   const std::function<void(const std::string &, std::vector<double>)> &put)
   {
     for_each_array(solid.points, [&](const char *name, const auto &array)
                    { put(name, std::vector<double>(array.begin(), array.end())); });
-    put("numbers",
-        {solid.time, static_cast<double>(solid.steps), solid.speed, solid.call_duration,
-         solid.energy.start, solid.energy.kinetic, solid.energy.dissipated, solid.loads.work,
-         solid.loads.work_done, static_cast<double>(solid.points.active),
-         static_cast<double>(solid.tracers.outlines.size()), solid.material.density,
-         solid.energy.largest, solid.energy.strained, solid.energy.elastic_start,
-         solid.energy.kinetic_time, solid.energy.internal_time});
+    std::vector<double> numbers;
+    std::size_t outlines = solid.tracers.outlines.size();
+    double density = solid.material.density;
+    for_each_number(solid, outlines, density,
+                    [&](const auto &number) { numbers.push_back(static_cast<double>(number)); });
+    put("numbers", numbers);
     put("supports", pack(solid.supports));
     put("grid", pack(solid.grid));
     if (solid.growing)
@@ -128,9 +143,14 @@ namespace solid
   void restore(Solid &solid, const Checkpoint &state)
   {
     const std::vector<double> &numbers = find(state, "numbers");
-    if (numbers.size() != 17)
+    if (numbers.size() != number_count)
       throw std::runtime_error("the checkpoint was written by another version of the program");
-    if (numbers[11] != solid.material.density)
+    std::size_t outlines = 0, k = 0;
+    double density = 0.;
+    for_each_number(solid, outlines, density,
+                    [&](auto &number)
+                    { number = static_cast<std::decay_t<decltype(number)>>(numbers[k++]); });
+    if (density != solid.material.density)
       throw std::runtime_error("the checkpoint is of another scene: it has another density");
     unpack(find(state, "supports"), solid.supports);
     for_each_array(solid.points,
@@ -142,15 +162,9 @@ namespace solid
                      for (std::size_t p = 0; p < saved.size(); ++p)
                        array[p] = static_cast<Value>(saved[p]);
                    });
-    solid.time = numbers[0], solid.steps = static_cast<long>(numbers[1]);
-    solid.speed = numbers[2], solid.call_duration = numbers[3];
-    solid.energy = {numbers[4],  numbers[5],  numbers[6],  numbers[12],
-                    numbers[13], numbers[14], numbers[15], numbers[16]};
-    solid.loads.work = numbers[7], solid.loads.work_done = numbers[8];
-    solid.points.active = static_cast<std::size_t>(numbers[9]);
     solid.tracers.outlines.clear();
-    for (std::size_t k = 0; k < static_cast<std::size_t>(numbers[10]); ++k)
-      solid.tracers.outlines.push_back(unpack(find(state, "outline " + std::to_string(k))));
+    for (std::size_t o = 0; o < outlines; ++o)
+      solid.tracers.outlines.push_back(unpack(find(state, "outline " + std::to_string(o))));
     unpack(find(state, "grid"), solid.grid, solid.scheme.incremental());
     if (state.count("growth"))
       unpack_growth(solid, find(state, "growth"));

@@ -8,7 +8,7 @@
 #include <Eigen/LU>
 
 #include "scene/speed.h"
-#include "solid/supports.h"
+#include "solid/body.h"
 
 namespace solid
 {
@@ -125,11 +125,11 @@ namespace solid
     };
   } // namespace
 
-  void prescribe(Supports &supports, const Scheme &scheme, const Points &points,
-                 const Fraction &fraction, const Acceleration &acceleration,
-                 const double inverse_density, const Grid &grid, const double t, const double dt,
-                 const bool count_reaction)
+  void prescribe(Solid &solid, const HeldStep &step)
   {
+    Supports &supports = solid.supports;
+    const Points &points = solid.points;
+    const Grid &grid = solid.grid;
     supports.speed = 0.;
     if (supports.driven.empty())
       return;
@@ -137,20 +137,27 @@ namespace solid
       region.covers.assign(grid.nodes.size(), {});
     supports.driven_parts.assign(grid.nodes.size(), {});
     supports.prescribed.assign(points.active, {});
-    const Account account{scheme, points, acceleration, grid, inverse_density, dt, count_reaction};
+    const Account account{solid.scheme,
+                          points,
+                          solid.loads.acceleration,
+                          grid,
+                          1. / solid.material.density,
+                          step.dt,
+                          step.count_reaction};
     for (std::size_t p = 0; p < points.active; ++p)
     {
       bool any = false;
       for (DrivenRegion &region : supports.driven)
         if (points.regions[p] & (1u << region.region))
         {
-          prescribe(region, supports.all[region.support].motion, grid, fraction.initial(points, p),
-                    {points.x[p], points.y[p]}, t, dt, supports.prescribed[p]);
+          prescribe(region, supports.all[region.support].motion, grid,
+                    solid.fraction.initial(points, p), {points.x[p], points.y[p]}, step.t, step.dt,
+                    supports.prescribed[p]);
           any = true;
         }
       if (any)
         account.parts(supports, p);
-      if (any && count_reaction)
+      if (any && step.count_reaction)
         account.add_reaction(supports, p);
     }
   }

@@ -5,6 +5,7 @@
 
 #include "scene/geometry.h"
 #include "scene/reader.h"
+#include "solid/body.h"
 
 namespace solid
 {
@@ -111,10 +112,11 @@ namespace solid
     }
 
     // False if no node there has mass.
-    bool spread(Loads &loads, const Scheme &scheme, const FoldTable &table, Grid &grid,
-                const Point &x, const Point &force)
+    bool spread(Solid &solid, const Point &x, const Point &force)
     {
-      const Stencil s = stencil(scheme, grid, table, x);
+      Loads &loads = solid.loads;
+      Grid &grid = solid.grid;
+      const Stencil s = stencil(solid.scheme, grid, solid.supports.folds, x);
       double share[9], sum = 0.;
       for (int k = 0; k < 9; ++k)
       {
@@ -140,16 +142,17 @@ namespace solid
     }
   } // namespace
 
-  void apply_tractions(Loads &loads, const Tracers &tracers, const Points &points,
-                       const Scheme &scheme, const FoldTable &table, Grid &grid,
-                       const double inverse_density, const double t)
+  void apply_tractions(Solid &solid)
   {
+    Loads &loads = solid.loads;
+    Grid &grid = solid.grid;
     loads.nodal_forces.clear(), loads.parted.reset();
     std::fill(loads.on_grips.begin(), loads.on_grips.end(), Point(0., 0.));
     if (loads.tractions.empty())
       return;
-    loads.shares.measure(tracers, points, scheme, table, grid, inverse_density);
-    for (const auto &outline : tracers.outlines)
+    loads.shares.measure(solid.tracers, solid.points, solid.scheme, solid.supports.folds, grid,
+                         1. / solid.material.density);
+    for (const auto &outline : solid.tracers.outlines)
       for (std::size_t k = 0; k < outline.size(); ++k)
       {
         if (outline[k].loads == 0)
@@ -170,8 +173,8 @@ namespace solid
           Point force = Point::Zero();
           for (std::size_t l = 0; l < loads.tractions.size(); ++l)
             if (outline[k].loads & (1u << l))
-              force += 0.5 * force_on(loads.tractions[l], chord, {X, x, t});
-          const bool nodes_take = seen && !gripped && spread(loads, scheme, table, grid, x, force);
+              force += 0.5 * force_on(loads.tractions[l], chord, {X, x, solid.time});
+          const bool nodes_take = seen && !gripped && spread(solid, x, force);
           if (grip >= 0 && !nodes_take)
             put_on_grip(loads, grip, force);
         }

@@ -40,6 +40,8 @@ namespace solid
     double work = 0., work_done = 0.; // since the start; sum of absolute values
   };
 
+  struct Solid; // body.h
+
   /// Marks the tracers of loaded chords. Throws scene::BadScene for a traction that touches
   /// nothing.
   Loads make_loads(const scene::Scene &, Tracers &);
@@ -47,9 +49,8 @@ namespace solid
   /// Accelerations of the points at time t.
   void evaluate_body_force(Loads &, const Points &, const Fraction &, double t);
 
-  /// Add the tractions at time t to the nodal forces.
-  void apply_tractions(Loads &, const Tracers &, const Points &, const Scheme &, const FoldTable &,
-                       Grid &, double inverse_density, double t);
+  /// Add the tractions at the solid's time to the nodal forces.
+  void apply_tractions(Solid &);
 
   /// Add the work of tractions over dt with the new nodal velocities.
   void add_traction_work(Loads &, const Grid &, double dt);

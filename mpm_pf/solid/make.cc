@@ -143,20 +143,15 @@ namespace solid
   std::vector<record::Profile::Part> profile(const Solid &solid)
   {
     std::vector<record::Profile::Part> parts;
-    for (const auto &[name, part] : solid.timer.parts)
+    for (const auto &[name, part] : solid.spent)
       parts.push_back(part);
     return parts;
   }
 
-  std::map<std::string, double> numbers(const Solid &solid)
+  DensityScaling density_scaling(const Solid &solid)
   {
-    const Material &material = solid.material;
-    std::map<std::string, double> all{{"density", material.density},
-                                      {"density_scale", material.density_scale},
-                                      {"wave_speed", material.wave_speed()},
-                                      {"reference_speed", solid.reference_speed}};
-    all["mach"] = solid.reference_speed / material.wave_speed();
-    return all;
+    return {solid.material.density, solid.material.density_scale, solid.material.wave_speed(),
+            solid.reference_speed};
   }
 
   Reaction reaction(const Solid &solid, const std::string &support)

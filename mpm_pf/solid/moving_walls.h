@@ -35,8 +35,12 @@ namespace solid
     double kinetic_to_internal = 0.; // kinetic energy over elastic energy and plastic dissipation
   };
 
-  /// `arm`: length of material that a wall has to stop or move; `speed` of the wall. The imbalance
-  /// is that of walls on opposite sides; with a symmetry side opposite there is none to see, and it
-  /// is 0.
-  QuasiStatic quasi_static(const Solid &, double arm, double speed);
+  struct WallLoading
+  {
+    double arm = 0.;   // length of material that the wall has to stop or move
+    double speed = 0.; // of the wall
+  };
+  /// The imbalance is that of walls on opposite sides; with a symmetry side opposite there is none
+  /// to see, and it is 0.
+  QuasiStatic quasi_static(const Solid &, const WallLoading &);
 } // namespace solid

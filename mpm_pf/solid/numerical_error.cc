@@ -5,9 +5,9 @@ namespace solid
 {
   NumericalError::NumericalError(const std::string &cause, const long step, const double time,
                                  const Point &place)
-      : std::runtime_error("numerical trouble in step " + std::to_string(step) + " at time " +
-                           scene::number_text(time) + " near (" + scene::number_text(place[0]) +
-                           ", " + scene::number_text(place[1]) + "): " + cause),
+      : medium::NumericalError("numerical trouble in step " + std::to_string(step) + " at time " +
+                               scene::number_text(time) + " near (" + scene::number_text(place[0]) +
+                               ", " + scene::number_text(place[1]) + "): " + cause),
         step(step), time(time), place(place)
   {
   }

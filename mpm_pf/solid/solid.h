@@ -13,10 +13,10 @@
 #include <functional>
 #include <map>
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "medium/numerical_error.h"
 #include "record/writer.h"
 #include "scene/scene.h"
 #include "scene/units.h"
@@ -25,8 +25,8 @@ namespace solid
 {
   using scene::Point;
 
-  /// Numerical trouble: step, time and place are in the message and at hand. Exit code 3.
-  struct NumericalError : std::runtime_error
+  /// With step, time and place, which stand in the message, too.
+  struct NumericalError : medium::NumericalError
   {
     NumericalError(const std::string &cause, long step, double time, const Point &place);
     long step;
@@ -72,9 +72,15 @@ namespace solid
   std::map<std::string, double> memory(const Solid &);
   /// Seconds of CPU by part: "points to nodes", "nodes", "nodes to points", "sorting".
   std::vector<record::Profile::Part> profile(const Solid &);
-  /// density (as used, scaled if `mach` was given), density_scale, wave_speed, reference_speed,
-  /// mach.
-  std::map<std::string, double> numbers(const Solid &);
+  /// The density that is used, scaled if `mach` was given, and what follows from it.
+  struct DensityScaling
+  {
+    double density = 0., scale = 1.; // as used; over the scene's
+    double wave_speed = 0.;
+    double reference_speed = 0.; // 0: nothing drives the solid
+    double mach() const { return reference_speed / wave_speed; }
+  };
+  DensityScaling density_scaling(const Solid &);
 
   // --- observing: every value in the scene's units, stresses are Cauchy
   // -----------------------------

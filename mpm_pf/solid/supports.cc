@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "solid/loads.h"
+#include "solid/body.h"
 #include "solid/walls.h"
 
 namespace solid
@@ -78,18 +78,17 @@ namespace solid
     }
 
     /// The velocity of a support that moves as a whole.
-    Point velocity_of(const Support *support, const double t, const double dt)
+    Point velocity_of(const Support *support, const HeldStep &step)
     {
       const Point zero(0., 0.);
-      return support ? Point((support->motion.at(zero, zero, t + dt) -
-                              support->motion.at(zero, zero, t)) /
-                             dt)
+      return support ? Point((support->motion.at(zero, zero, step.end()) -
+                              support->motion.at(zero, zero, step.t)) /
+                             step.dt)
                      : zero;
     }
 
     /// Notes what each wall touches, before any line gives its nodes another velocity.
-    void note_touched(Supports &supports, const Grid &grid, const double t, const double dt,
-                      const bool count_reaction)
+    void note_touched(Supports &supports, const Grid &grid, const HeldStep &step)
     {
       for (std::size_t l = 0; l < supports.lines.size(); ++l)
       {
@@ -97,16 +96,16 @@ namespace solid
         if (!line.contact)
           continue;
         const Fold &fold = supports.folds.lines[l];
-        const Point v = velocity_of(&supports.all[line.support], t, dt);
+        const Point v = velocity_of(&supports.all[line.support], step);
         std::fill(line.touched.begin(), line.touched.end(), 0);
         for_nodes_along(line, grid, fold.carrier(), line.reach,
                         [&](const int i, const int j, const std::ptrdiff_t n)
                         {
                           const std::size_t k = line.index(i, j);
                           const bool sticks = !line.stuck.empty() && line.stuck[k];
-                          line.touched[k] = touches(line, fold, grid, i, j, n, v, sticks);
+                          line.touched[k] = touches(line, fold, grid, {i, j, n, v, sticks});
                         });
-        if (count_reaction && !line.stuck.empty())
+        if (step.count_reaction && !line.stuck.empty())
           line.stuck = line.touched;
       }
     }
@@ -142,33 +141,34 @@ namespace solid
     }
 
     void apply_line(Supports &supports, const HeldLine &line, const Fold &fold, Grid &grid,
-                    const double t, const double dt, const bool count_reaction)
+                    const HeldStep &step)
     {
       Support *const support = line.support < 0 ? nullptr : &supports.all[line.support];
       const bool uniform = !support || support->motion.uniform;
-      Point v = uniform ? velocity_of(support, t, dt) : Point(0., 0.);
+      Point v = uniform ? velocity_of(support, step) : Point(0., 0.);
       supports.speed = std::max(supports.speed, v.norm());
-      for_nodes_along(line, grid, fold.carrier(), line.reach,
-                      [&](const int i, const int j, const std::ptrdiff_t n)
-                      {
-                        if (!uniform)
-                        {
-                          Point x{grid.node_x(i), grid.node_y(j)};
-                          x[line.axis] = line.position;
-                          const Point X = origin(support->motion, x, t);
-                          v = (support->motion.at(X, x, t + dt) - support->motion.at(X, x, t)) / dt;
-                        }
-                        if (line.contact && !line.touched[line.index(i, j)])
-                          return;
-                        const double place = line.axis == 0 ? grid.node_y(j) : grid.node_x(i);
-                        if (!support &&
-                            held_by_support(supports, line, fold.carrier(), place, grid.dx))
-                          return;
-                        std::array<bool, 2> held = line.held;
-                        if (held[1 - line.axis] && crossed(supports, line, grid, i, j, n))
-                          held[1 - line.axis] = false; // the other's push is not ours to undo
-                        set_velocity(supports, support, grid, n, held, v, count_reaction);
-                      });
+      for_nodes_along(
+          line, grid, fold.carrier(), line.reach,
+          [&](const int i, const int j, const std::ptrdiff_t n)
+          {
+            if (!uniform)
+            {
+              Point x{grid.node_x(i), grid.node_y(j)};
+              x[line.axis] = line.position;
+              const Point X = origin(support->motion, x, step.t);
+              v = (support->motion.at(X, x, step.end()) - support->motion.at(X, x, step.t)) /
+                  step.dt;
+            }
+            if (line.contact && !line.touched[line.index(i, j)])
+              return;
+            const double place = line.axis == 0 ? grid.node_y(j) : grid.node_x(i);
+            if (!support && held_by_support(supports, line, fold.carrier(), place, grid.dx))
+              return;
+            std::array<bool, 2> held = line.held;
+            if (held[1 - line.axis] && crossed(supports, line, grid, i, j, n))
+              held[1 - line.axis] = false; // the other's push is not ours to undo
+            set_velocity(supports, step.count_reaction ? support : nullptr, grid, {n, held, v});
+          });
     }
 
     // What a rigid grip takes beyond what its sides do, as that of driven points (driven.cc).
@@ -189,9 +189,9 @@ namespace solid
     };
   } // namespace
 
-  void set_velocity(Supports &supports, Support *support, Grid &grid, const std::ptrdiff_t n,
-                    const std::array<bool, 2> &held, const Point &v, const bool count_reaction)
+  void set_velocity(Supports &supports, Support *support, Grid &grid, const HeldNode &given)
   {
+    const auto &[n, held, v] = given;
     Node &node = grid.nodes[n];
     const double mass = grid.mass[n];
     Velocity &velocity = grid.velocity[n];
@@ -207,7 +207,7 @@ namespace solid
         node.motion[2 * c] = mass * v[c];
       }
     velocity = {now[0], now[1]};
-    if (!support || !count_reaction)
+    if (!support)
       return;
     support->impulse += impulse, support->call_impulse += impulse;
     supports.work += impulse.dot(v), supports.work_done += std::abs(impulse.dot(v));
@@ -246,21 +246,23 @@ namespace solid
       locate_turning_edges(supports, tracers, grid);
   }
 
-  void apply_supports(Supports &supports, Grid &grid, const double t, const double dt,
-                      const bool count_reaction)
+  void apply_supports(Supports &supports, Grid &grid, const HeldStep &step)
   {
     if (!supports.driven.empty())
-      apply_driven_regions(supports, grid, count_reaction);
+      apply_driven_regions(supports, grid, step.count_reaction);
     if (!supports.edges.empty())
-      apply_turning_edges(supports, grid, t, dt, count_reaction);
-    note_touched(supports, grid, t, dt, count_reaction);
+      apply_turning_edges(supports, grid, step);
+    note_touched(supports, grid, step);
     for (std::size_t l = 0; l < supports.lines.size(); ++l)
-      apply_line(supports, supports.lines[l], supports.folds.lines[l], grid, t, dt, count_reaction);
+      apply_line(supports, supports.lines[l], supports.folds.lines[l], grid, step);
   }
 
-  void move_held_points(Supports &supports, Points &points, Tracers &tracers,
-                        const Fraction &fraction, Loads &loads, const double t, const double dt)
+  void move_held_points(Solid &solid, const double dt)
   {
+    Supports &supports = solid.supports;
+    Points &points = solid.points;
+    Loads &loads = solid.loads;
+    const double t = solid.time;
     for (Support &support : supports.all)
       support.displacement = support.motion.at(support.middle, support.middle, t + dt);
     unsigned later = 0; // a point in two grips goes with the last
@@ -277,19 +279,19 @@ namespace solid
         if ((points.regions[p] & (1u << grip.region)) && !(points.regions[p] & later))
         {
           account.add_reaction(points, p, loads.acceleration);
-          const Point X = fraction.initial(points, p);
+          const Point X = solid.fraction.initial(points, p);
           points.x[p] = X[0] + u[0], points.y[p] = X[1] + u[1];
           points.vx[p] = v[0], points.vy[p] = v[1];
         }
       later |= 1u << grip.region;
       support.impulse += account.impulse, support.call_impulse += account.impulse;
       supports.work += account.work, supports.work_done += std::abs(account.work);
-      for (auto &outline : tracers.outlines)
+      for (auto &outline : solid.tracers.outlines)
         for (Tracer &tracer : outline)
           if (tracer.grip == static_cast<int>(g))
             tracer.x = tracer.X + u;
     }
     move_driven_points(supports, points);
-    move_turning_edges(supports, tracers, t + dt);
+    move_turning_edges(supports, solid.tracers, t + dt);
   }
 } // namespace solid

@@ -47,7 +47,7 @@ namespace solid
     Point at(const Point &X, const Point &x, double t) const;
   };
 
-  struct Loads; // loads.h
+  struct Solid; // body.h
 
   struct Support
   {
@@ -197,29 +197,41 @@ namespace solid
   /// Lines to where they are at time t, and the folds into the grid.
   void place_supports(Supports &, const Tracers &, Grid &, double t);
 
-  /// What driven points are to do over [t, t + dt], by point and for the nodes around them, and
-  /// their parts of the nodes; what it takes, if `count_reaction`, else the forces were left out.
-  void prescribe(Supports &, const Scheme &, const Points &, const Fraction &, const Acceleration &,
-                 double inverse_density, const Grid &, double t, double dt,
-                 bool count_reaction = true);
+  /// The step [t, t + dt] over which supports hold. Without `count_reaction` the nodes have not got
+  /// their forces, so what holding them takes is no reaction.
+  struct HeldStep
+  {
+    double t = 0., dt = 0.;
+    bool count_reaction = true;
 
-  /// Node velocities after forces to what supports ask for over [t, t + dt]; reactions, if
-  /// `count_reaction`.
-  void apply_supports(Supports &, Grid &, double t, double dt, bool count_reaction = true);
+    double end() const { return t + dt; }
+  };
 
-  /// Give a node the velocity v in the held components; the momentum that takes is the reaction.
-  void set_velocity(Supports &, Support *, Grid &, std::ptrdiff_t node,
-                    const std::array<bool, 2> &held, const Point &v, bool count_reaction);
+  /// What driven points are to do over the step, by point and for the nodes around them, their
+  /// parts of the nodes, and their reactions.
+  void prescribe(Solid &, const HeldStep &);
 
-  /// Points and tracers with prescribed positions to time t + dt, and what that takes of a rigid
-  /// grip: its points' momentum and the loads on them.
-  void move_held_points(Supports &, Points &, Tracers &, const Fraction &, Loads &, double t,
-                        double dt);
+  /// Node velocities after forces to what supports ask for over the step, and the reactions.
+  void apply_supports(Supports &, Grid &, const HeldStep &);
 
-  /// The nodes near turning edges and what they are tied to; their velocities over [t, t + dt]; the
+  struct HeldNode
+  {
+    std::ptrdiff_t node;
+    std::array<bool, 2> held; // components that get the velocity
+    Point velocity;
+  };
+  /// Give a node the velocity in the held components; the momentum that takes is the reaction of
+  /// `support`; null: of none.
+  void set_velocity(Supports &, Support *, Grid &, const HeldNode &);
+
+  /// Points and tracers with prescribed positions to the end of the step of length dt, and what
+  /// that takes of a rigid grip: its points' momentum and the loads on them.
+  void move_held_points(Solid &, double dt);
+
+  /// The nodes near turning edges and what they are tied to; their velocities over the step; the
   /// tracers of the edges to where they belong at time t.
   void locate_turning_edges(Supports &, const Tracers &, const Grid &);
-  void apply_turning_edges(Supports &, Grid &, double t, double dt, bool count_reaction);
+  void apply_turning_edges(Supports &, Grid &, const HeldStep &);
   void move_turning_edges(const Supports &, Tracers &, double t);
 
   /// The nodes in and around driven boxes, see driven_sides.cc.

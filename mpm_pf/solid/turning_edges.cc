@@ -111,10 +111,10 @@ namespace solid
     }
 
     double prescribed(const TurningEdge &edge, const Motion &motion, const NearEdge &node,
-                      const double t, const double dt)
+                      const HeldStep &step)
     {
-      return ((motion.at(node.X, node.x, t + dt) - motion.at(node.X, node.x, t)) /
-              dt)[edge.component()];
+      return ((motion.at(node.X, node.x, step.end()) - motion.at(node.X, node.x, step.t)) /
+              step.dt)[edge.component()];
     }
 
     // The velocity of a node in the edge's component; the momentum that takes is the reaction.
@@ -125,8 +125,8 @@ namespace solid
       const int c = edge.component();
       std::array<bool, 2> held{false, false};
       held[c] = true;
-      set_velocity(supports, &supports.all[edge.line.support], grid, n, held,
-                   c == 0 ? Point(v, now.y) : Point(now.x, v), count_reaction);
+      set_velocity(supports, count_reaction ? &supports.all[edge.line.support] : nullptr, grid,
+                   {n, held, c == 0 ? Point(v, now.y) : Point(now.x, v)});
     }
   } // namespace
 
@@ -151,8 +151,7 @@ namespace solid
     }
   }
 
-  void apply_turning_edges(Supports &supports, Grid &grid, const double t, const double dt,
-                           const bool count_reaction)
+  void apply_turning_edges(Supports &supports, Grid &grid, const HeldStep &step)
   {
     for (TurningEdge &edge : supports.edges)
     {
@@ -171,13 +170,13 @@ namespace solid
       {
         if (!node.beside || node.distance >= beside)
           continue;
-        node.prescribed = prescribed(edge, motion, node, t, dt);
+        node.prescribed = prescribed(edge, motion, node, step);
         if (node.master < 0)
           continue;
         NearEdge &master = edge.nodes[node.master];
         if (!(master.mass > 0.))
         {
-          master.prescribed = prescribed(edge, motion, master, t, dt);
+          master.prescribed = prescribed(edge, motion, master, step);
           add(master, master, 1.);
         }
         add(master, node, node.ratio);
@@ -189,9 +188,9 @@ namespace solid
           set(supports, edge, grid, node.node,
               node.prescribed +
                   (node.master < 0 ? 0. : node.ratio * excess(edge.nodes[node.master])),
-              count_reaction);
+              step.count_reaction);
         else if (node.mass > 0.)
-          set(supports, edge, grid, node.node, node.prescribed + excess(node), count_reaction);
+          set(supports, edge, grid, node.node, node.prescribed + excess(node), step.count_reaction);
     }
   }
 

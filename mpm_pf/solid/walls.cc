@@ -115,9 +115,9 @@ namespace solid
     }
   }
 
-  bool touches(const HeldLine &line, const Fold &fold, const Grid &grid, const int i, const int j,
-               const std::ptrdiff_t n, const Point &v, const bool sticks)
+  bool touches(const HeldLine &line, const Fold &fold, const Grid &grid, const WallNode &node)
   {
+    const auto &[i, j, n, v, sticks] = node;
     const int inner_i = i + (line.axis == 0 ? line.side : 0);
     const int inner_j = j + (line.axis == 1 ? line.side : 0);
     if (!grid.has(inner_i, inner_j))
@@ -203,11 +203,12 @@ namespace solid
     }
   }
 
-  QuasiStatic quasi_static(const Solid &solid, const double arm, const double speed)
+  QuasiStatic quasi_static(const Solid &solid, const WallLoading &loading)
   {
     QuasiStatic found;
     const double strength = solid.material.yield_stress.value_or(0.01 * solid.material.young);
-    found.inertia_travel = arm * solid.material.density * speed * speed / strength;
+    found.inertia_travel =
+        loading.arm * solid.material.density * loading.speed * loading.speed / strength;
     for (int axis = 0; axis < 2; ++axis)
     {
       double sum = 0., size = 0.;

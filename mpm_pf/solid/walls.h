@@ -27,10 +27,16 @@ namespace solid
   /// Lines and supports for the walls of the scene, at rest on the sides of the domain.
   void add_walls(Supports &, const scene::Scene &);
 
-  /// Does node (i, j) = n on the carrier row of a wall's line touch material, and with slip, would
-  /// it move into the wall? v: of the wall; sticks: it was held in the last step.
-  bool touches(const HeldLine &, const Fold &, const Grid &, int i, int j, std::ptrdiff_t n,
-               const Point &v, bool sticks);
+  /// A node on the carrier row of a wall's line.
+  struct WallNode
+  {
+    int i, j;
+    std::ptrdiff_t n;
+    Point wall_velocity;
+    bool sticks; // it was held in the last step
+  };
+  /// Does the node touch material, and with slip, would it move into the wall?
+  bool touches(const HeldLine &, const Fold &, const Grid &, const WallNode &);
 
   /// Bounds for the points over the step that ends at t: the domain up to the walls.
   void bound_by_walls(const Supports &, double t, Point &lower, Point &upper);

@@ -22,8 +22,8 @@ TEST(Progress, PrintsDurationsForPeople)
 TEST(Progress, IsSilentWhenQuietAndRareInALog)
 {
   std::ostringstream quiet, log;
-  Progress nothing(quiet, Progress::Style::quiet, "mpm_pf shear", 0., 1.);
-  Progress lines(log, Progress::Style::log, "mpm_pf shear", 0., 1.);
+  Progress nothing(quiet, Progress::Style::quiet, "mpm_pf shear", {0., 1.});
+  Progress lines(log, Progress::Style::log, "mpm_pf shear", {0., 1.});
   for (int k = 0; k <= 1000; ++k)
   {
     nothing.update(k / 1000.);
@@ -40,7 +40,7 @@ TEST(Progress, IsSilentWhenQuietAndRareInALog)
 TEST(Progress, ForetellsFromThePaceOfLate)
 {
   std::ostringstream out;
-  Progress progress(out, Progress::Style::terminal, "mpm_pf shear", 0., 1., 0.25);
+  Progress progress(out, Progress::Style::terminal, "mpm_pf shear", {0., 1.}, 0.25);
   // Nine tenths of the way in a moment, then a ten-thousandth per quarter of a second.
   double fraction = 0.9;
   for (int k = 0; k < 4; ++k, fraction += 1e-4)

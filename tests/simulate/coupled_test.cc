@@ -196,7 +196,7 @@ TEST(Coupled, ACrystalWithoutWallsStartsWithItsBodysVelocity)
   World world = build_world(scene, 1);
   activate_solid(world);
   const double mass =
-      solid::numbers(*world.solid).at("density") * solid::area_budget(*world.solid).phi;
+      solid::density_scaling(*world.solid).density * solid::area_budget(*world.solid).phi;
   EXPECT_NEAR(mass, 0.1 * 3.1416 * 64., 0.01 * mass);
   go(world, 100000);
   const auto row = solid::history(*world.solid);

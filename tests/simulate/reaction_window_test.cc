@@ -26,7 +26,7 @@ namespace
 // A force 3 + 4t has the impulse 3t + 2t^2; central differences and linear extrapolation are exact.
 TEST(ReactionWindow, IsExactForALinearForceUpToBothEnds)
 {
-  ReactionWindow window({0., 0.25, 0.5, 0.75, 1.}, 0.125, 1.);
+  ReactionWindow window({{0., 0.25, 0.5, 0.75, 1.}, 0.125, 1.});
   const auto rows = rows_of(window, window.events(), [](double t) { return 3. * t + 2. * t * t; });
   ASSERT_EQ(rows.size(), 5u);
   for (const auto &row : rows)
@@ -42,7 +42,7 @@ TEST(ReactionWindow, ReachesToWhereTheRunEndsEarly)
   const auto impulse = [](double t) { return 3. * t + 2. * t * t; };
   for (const double stop : {0.6, 0.66, 0.75, 0.8})
   {
-    ReactionWindow window({0., 0.25, 0.5, 0.75, 1.}, 0.125, 1.);
+    ReactionWindow window({{0., 0.25, 0.5, 0.75, 1.}, 0.125, 1.});
     std::vector<double> events;
     for (const double t : window.events())
       if (t <= stop)
@@ -67,7 +67,7 @@ TEST(ReactionWindow, GivesTheMeanWhereARunEndsInItsFirstWindow)
 {
   for (const double stop : {0.02, 0.05, 0.1, 0.125})
   {
-    ReactionWindow window({0., 0.25, 0.5, 0.75, 1.}, 0.125, 1.);
+    ReactionWindow window({{0., 0.25, 0.5, 0.75, 1.}, 0.125, 1.});
     auto rows = rows_of(window, {0.}, [](double) { return 0.; });
     window.end_early(stop);
     const double impulse = 3. * stop + 2. * stop * stop;
@@ -83,7 +83,7 @@ TEST(ReactionWindow, GivesTheMeanWhereARunEndsInItsFirstWindow)
 TEST(ReactionWindow, AveragesRingingAway)
 {
   const double ring = 2. * std::acos(-1.) / 0.25; // one period in the window
-  ReactionWindow window({0., 0.25, 0.5, 0.75, 1.}, 0.125, 1.);
+  ReactionWindow window({{0., 0.25, 0.5, 0.75, 1.}, 0.125, 1.});
   const auto rows =
       rows_of(window, window.events(), [&](double t) { return t + std::sin(ring * t) / ring; });
   ASSERT_EQ(rows.size(), 5u);
@@ -92,7 +92,7 @@ TEST(ReactionWindow, AveragesRingingAway)
 
 TEST(ReactionWindow, GoesOnFromItsState)
 {
-  ReactionWindow whole({0., 0.5, 1.}, 0.25, 1.), first = whole, second = whole;
+  ReactionWindow whole({{0., 0.5, 1.}, 0.25, 1.}), first = whole, second = whole;
   const auto impulse = [](double t) { return t * t * t; };
   const auto all = rows_of(whole, whole.events(), impulse);
   auto rows = rows_of(first, {0., 0.25, 0.5}, impulse);

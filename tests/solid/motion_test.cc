@@ -35,7 +35,7 @@ TEST(Momentum, FreeBarRingsAtItsFirstFrequency)
   scene.domain.boundary[static_cast<int>(Edge::top)] = scene::Boundary::symmetry;
   scene.bodies[0].velocity[0] = small::text("1e-3*cos(pi*(X - 1)/4)");
   const solid::Owner bar = solid::make_solid(scene);
-  const double period = 2. * 4. / solid::numbers(*bar).at("wave_speed");
+  const double period = 2. * 4. / solid::density_scaling(*bar).wave_speed;
   const double start = value(*bar, "kinetic_energy");
   solid::advance(*bar, 0.25 * period);
   EXPECT_LT(value(*bar, "kinetic_energy"), 1e-3 * start);

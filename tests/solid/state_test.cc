@@ -64,7 +64,7 @@ TEST(Checkpoint, OfAnotherSceneIsRefused)
 TEST(MachNumber, ScalesTheDensityToTheWantedWaveSpeed)
 {
   const solid::Owner bar = solid::make_solid(small::sheared_bar(10, 1.));
-  EXPECT_NEAR(solid::numbers(*bar).at("wave_speed"), 0.4 / 2e-3, 1e-3 * 200.);
+  EXPECT_NEAR(solid::density_scaling(*bar).wave_speed, 0.4 / 2e-3, 1e-3 * 200.);
 }
 
 TEST(BadInput, MachWithoutMotionSaysWhatToGive)

@@ -126,7 +126,7 @@ TEST(Walls, SlippingOnesPressABlockUniformly)
   const double width = 1. + 0.33 / 0.67 * 0.01;
   EXPECT_NEAR(press.force(Edge::bottom), stress * width, 0.02 * stress);
   EXPECT_NEAR(press.force(Edge::top), -stress * width, 0.02 * stress);
-  EXPECT_LT(quasi_static(press.solid, 1., 0.1).force_imbalance, 0.01);
+  EXPECT_LT(quasi_static(press.solid, {1., 0.1}).force_imbalance, 0.01);
   for (std::size_t p = 0; p < press.solid.points.size(); ++p)
   {
     ASSERT_NEAR(press.solid.points.syy[p], -stress, 0.03 * stress);

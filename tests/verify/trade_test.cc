@@ -89,7 +89,7 @@ TEST(Advice, IsTheCheapestMeasuredRowAndItsRerunMeetsTheError)
   const Workspace &w = measured().w;
   const std::string output = w.options().output;
   testing::internal::CaptureStdout();
-  EXPECT_EQ(advise(w.paths(), "bar", "largest", "4%", output), 0);
+  EXPECT_EQ(advise(w.paths(), {"bar", "largest", "4%", output}), 0);
   const std::string advice = testing::internal::GetCapturedStdout();
   // 0.1 h^2 = 0.025 at h = 0.5 (0.15 s) meets 0.04/1.25 = 0.032, h = 1 does not
   EXPECT_NE(advice.find("h=0.5"), std::string::npos) << advice;
@@ -106,10 +106,10 @@ TEST(Advice, NeverExtrapolates)
 {
   const Workspace &w = measured().w;
   const std::string output = w.options().output;
-  EXPECT_EQ(advise(w.paths(), "bar", "largest", "0.01%", output), 1);
-  EXPECT_EQ(advise(w.paths(), "bar", "largest", "4%", output + "/nothing"), 4);
-  EXPECT_THROW(advise(w.paths(), "bar", "colour", "4%", output), BadInput);
-  EXPECT_THROW(advise(w.paths(), "bar", "largest", "fast", output), BadInput);
+  EXPECT_EQ(advise(w.paths(), {"bar", "largest", "0.01%", output}), 1);
+  EXPECT_EQ(advise(w.paths(), {"bar", "largest", "4%", output + "/nothing"}), 4);
+  EXPECT_THROW(advise(w.paths(), {"bar", "colour", "4%", output}), BadInput);
+  EXPECT_THROW(advise(w.paths(), {"bar", "largest", "fast", output}), BadInput);
 }
 
 TEST(Tradeoff, FailsWhereNoRowHasAnError)
@@ -161,7 +161,7 @@ TEST(Advice, CallsTheErrorOfALoneReferenceUnknown)
   EXPECT_TRUE(result["rows"][1]["errors"]["q, relative"].is_null());
   EXPECT_EQ(result["rows"][1]["errors"]["theory, relative"], 0.);
   testing::internal::CaptureStdout();
-  EXPECT_EQ(advise(w.paths(), "bar", "q", "5%", w.options().output), 0);
+  EXPECT_EQ(advise(w.paths(), {"bar", "q", "5%", w.options().output}), 0);
   const std::string advice = testing::internal::GetCapturedStdout();
   EXPECT_NE(advice.find("uncertainty of the reference unknown"), std::string::npos) << advice;
   EXPECT_NE(advice.find("nobody measured"), std::string::npos) << advice;
@@ -177,7 +177,7 @@ TEST(Advice, TellsWhenItWasMeasuredAndWarnsOfAnotherProgram)
   {
     w.write("results/tradeoff/bar.json", old.dump());
     testing::internal::CaptureStdout();
-    EXPECT_EQ(advise(w.paths(), "bar", "largest", "4%", output), 0);
+    EXPECT_EQ(advise(w.paths(), {"bar", "largest", "4%", output}), 0);
     return testing::internal::GetCapturedStdout();
   };
   EXPECT_NE(told().find("measured " + old["provenance"]["start"].get<std::string>()),
