@@ -9,6 +9,7 @@
 
 #include "campaign_files.h"
 #include "commands.h"
+#include "record/command_line.h"
 #include "record/provenance.h"
 #include "section.h"
 
@@ -161,7 +162,7 @@ namespace verify
     {
       fmt::print(stderr, "{} is missing: measure first, with\n  {} tradeoff {} --output {}\n", file,
                  paths.program, name, output);
-      return 4;
+      return record::reference_missing;
     }
     const std::string measure = measure_named(trade, quantity);
     print_origin(trade, paths, name, output);

@@ -15,6 +15,7 @@
 
 #include "campaign_files.h"
 #include "drift.h"
+#include "record/command_line.h"
 #include "record/stopwatch.h"
 #include "safe_settings.h"
 #include "section.h"
@@ -230,7 +231,9 @@ namespace verify
     }
     make_forecasts(campaign);
     campaign.wall_s = stopwatch.wall_seconds();
-    campaign.exit_code = interrupted() ? 130 : exit_code(campaign.cases);
+    campaign.exit_code = exit_code(campaign.cases);
+    if (interrupted())
+      campaign.exit_code = record::interrupted;
     write_campaign(campaign, paths);
     return campaign;
   }
@@ -269,10 +272,12 @@ namespace verify
     }
     // a comparison that was made and failed says more than a run that gave nothing to compare
     if (failed || (missing && !bad_input && !diverged) || broken)
-      return 1;
+      return record::comparison_failed;
     if (bad_input || diverged)
-      return bad_input ? 2 : 3;
-    return no_reference ? 4 : drifted ? 5 : 0;
+      return bad_input ? record::bad_input : record::numerical_trouble;
+    return no_reference ? record::reference_missing
+           : drifted    ? record::drift_only
+                        : record::all_right;
   }
 
   std::string repeat_case(const Paths &paths, const Case &c, const std::string &output)

@@ -13,25 +13,24 @@
 #include "json_text.h"
 #include "progress.h"
 #include "record/atomic_write.h"
+#include "record/command_line.h"
 
 namespace verify
 {
   namespace fs = std::filesystem;
   namespace
   {
-    constexpr int trouble = 3; // exit code of a run that met numerical trouble
-
     std::string status_of(const Job &job, const ProcessResult &ended)
     {
       if (ended.timed_out) // when told to stop it may leave with any code but that of trouble
-        return ended.exit_code == trouble ? "diverged" : "timed out";
-      if (ended.interrupted || ended.exit_code == 130)
+        return ended.exit_code == record::numerical_trouble ? "diverged" : "timed out";
+      if (ended.interrupted || ended.exit_code == record::interrupted)
         return "interrupted";
       if (ended.exit_code == job.expect_exit)
         return job.expect_exit == 0 ? "complete" : "as expected";
-      return ended.exit_code == 2         ? "bad input"
-             : ended.exit_code == trouble ? "diverged"
-                                          : "failed";
+      return ended.exit_code == record::bad_input           ? "bad input"
+             : ended.exit_code == record::numerical_trouble ? "diverged"
+                                                            : "failed";
     }
 
     std::string log_tail(const std::string &log)

@@ -11,6 +11,7 @@
 #include <fmt/ranges.h>
 
 #include "commands.h"
+#include "record/command_line.h"
 #include "scene/nearest_name.h"
 #include "section.h"
 
@@ -112,7 +113,7 @@ namespace
       try
       {
         const int code = tradeoff(paths, name, options);
-        if (code == 130)
+        if (code == record::interrupted)
           return code;
         worst = std::max(worst, code);
       }
@@ -168,7 +169,7 @@ namespace
     fmt::print(stderr, "verify: no such command: `{}`{}; there are: {}\n", written,
                nearest.empty() ? "" : fmt::format(" (did you mean `{}`?)", nearest),
                fmt::join(commands, ", "));
-    return 2;
+    return record::bad_input;
   }
 } // namespace
 
@@ -179,7 +180,8 @@ int main(int argc, char **argv)
   setenv("OMP_WAIT_POLICY", "passive", 0);
   CLI::App app(
       "Runs the cases of benchmarks/, compares the records with their references, reports.\n"
-      "Exit codes: 0 all right, 1 a comparison failed, 2 bad input, 3 diverged or out of time,\n"
+      "Exit codes: 0 all right, 1 a comparison failed, 2 bad input, 3 numerical trouble or out of "
+      "time,\n"
       "4 reference missing, 5 drift only, 130 interrupted.",
       "verify");
   Arguments arguments;
@@ -201,22 +203,23 @@ int main(int argc, char **argv)
   {
     if (argc > 1 && argv[1][0] != '-' && app.get_subcommands().empty())
       return no_such_command(app, argv[1]);
-    return app.exit(error) == 0 ? 0 : 2; // CLI11's own codes start at 100
+    return app.exit(error) == 0 ? record::all_right
+                                : record::bad_input; // CLI11's own codes start at 100
   }
   catch (const BadInput &error)
   {
     fmt::print(stderr, "{}\n", error.what());
-    return 2;
+    return record::bad_input;
   }
   catch (const std::filesystem::filesystem_error &error)
   {
     fmt::print(stderr, "verify: {}: {}; choose a folder that can be read and written\n",
                error.path1().string(), error.code().message());
-    return 2;
+    return record::bad_input;
   }
   catch (const std::exception &error)
   {
     fmt::print(stderr, "verify: {}\n", error.what());
-    return 3;
+    return record::numerical_trouble;
   }
 }

@@ -10,6 +10,7 @@
 #include <sys/wait.h>
 
 #include "jobs.h"
+#include "record/command_line.h"
 #include "section.h"
 
 namespace verify
@@ -90,13 +91,13 @@ namespace verify
     if (!fs::exists(file))
     {
       fmt::print(stderr, "{} is missing: nothing is drawn\n", file);
-      return 2;
+      return record::bad_input;
     }
     std::vector<std::string> words{python, "-B", file};
     words.insert(words.end(), arguments.begin(), arguments.end());
     const int status = std::system((shell(words) + " </dev/null").c_str());
     if (status == -1)
-      return 2;
+      return record::bad_input;
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   }
 } // namespace verify

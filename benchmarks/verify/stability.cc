@@ -5,6 +5,7 @@
 
 #include "campaign_files.h"
 #include "commands.h"
+#include "record/command_line.h"
 #include "record/provenance.h"
 #include "section.h"
 #include "stability_edges.h"
@@ -125,7 +126,7 @@ namespace verify
       {
         result["maps"].push_back(map_to_json(mapper, declared.maps[k], k + 1));
         if (interrupted())
-          return 130;
+          return record::interrupted;
         print_map(result["maps"].back());
         bad_maps +=
             says_nothing(result["maps"].back()) || !result["maps"].back()["broken"].empty() ? 1 : 0;

@@ -7,6 +7,7 @@
 
 #include "campaign_files.h"
 #include "commands.h"
+#include "record/command_line.h"
 #include "record/provenance.h"
 #include "section.h"
 #include "trade_default.h"
@@ -233,7 +234,7 @@ namespace verify
     const auto outcomes = run_jobs(jobs, how);
     const auto costs = costs_of(jobs, outcomes, trade.references.size(), how);
     if (interrupted())
-      return 130;
+      return record::interrupted;
     Json result{{"format", "mpm_pf tradeoff 1"}, {"case", name}, {"suite", trade.c.suite}};
     for (const auto &[key, value] : record::collect_provenance(
              "verify", shell({paths.program, "tradeoff", name}), options.cores))
@@ -247,7 +248,7 @@ namespace verify
     report(paths, options.output);
     for (std::size_t i = 0; i < trade.references.size(); ++i)
       if (!outcomes[i].good())
-        return 4;
+        return record::reference_missing;
     return usable(result);
   }
 } // namespace verify
