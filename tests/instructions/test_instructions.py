@@ -43,7 +43,7 @@ class Instructions(unittest.TestCase):
         waiting = ["clock.end=12.0", "wall.1.start_distance=20.0", *(f"probe.{name}.compressions=[0.0]" for name in ("fields", "contour", "arm"))]
         walls = [
             with_domain(f"{inside} {x} {y}", "compress_dendrite/smoke.toml", waiting, (60.0 * x, 40.0 * y), (75 * x, 50 * y), inside=inside)
-            for inside in ("move_walls(*", "medium::settle(*")
+            for inside in ("move_walls(*", "medium::update_cuts(*")
             for x, y in ((1, 1), (4, 1), (1, 4), (4, 4))
         ]
         cls.others = [*bars, *seeds, large, *walls]
@@ -81,7 +81,7 @@ class Instructions(unittest.TestCase):
         self.assertLess(abs(self.numbers["move_walls(* 1 4"] / first - 1), 0.02, self.numbers)
         self.assertLess(abs(self.numbers["move_walls(* 4 1"] / first / 4 - 1), 0.10, self.numbers)
         # fields end at all four sides: sixteen times the domain has four times the sides
-        self.assertLess(self.numbers["medium::settle(* 4 4"] / self.numbers["medium::settle(* 1 1"], 4.2, self.numbers)
+        self.assertLess(self.numbers["medium::update_cuts(* 4 4"] / self.numbers["medium::update_cuts(* 1 1"], 4.2, self.numbers)
 
 
 if __name__ == "__main__":
