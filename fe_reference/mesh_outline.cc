@@ -23,6 +23,7 @@ namespace fe
       {
         gmsh::initialize();
         gmsh::option::setNumber("General.Terminal", 0);
+        gmsh::option::setNumber("General.ExpertMode", 1); // ask nothing: nobody may be there
       }
       ~Session() { gmsh::finalize(); }
       Session(const Session &) = delete;

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 """Only what a scene requires, from campaign.json: which modules each case has switched on, what each of them holds and costs, and what the
-solver had foretold of it.
+solver had predicted of it.
 
     postprocess/report_modules.py RESULTS_DIR [README]
 
@@ -46,11 +46,11 @@ def held(run):
 
 
 def memory_rows(run):
-    """(module, MB foretold, MB measured), largest first."""
-    foretold, measured = run["forecast"].get("bytes") or {}, held(run)
-    names = [name for name in dict.fromkeys([*foretold, *measured]) if foretold.get(name) or measured.get(name)]
-    names.sort(key=lambda name: -(measured.get(name) or foretold.get(name)))
-    return [(name, megabytes(foretold.get(name)), megabytes(measured.get(name))) for name in names]
+    """(module, MB predicted, MB measured), largest first."""
+    predicted, measured = run["forecast"].get("bytes") or {}, held(run)
+    names = [name for name in dict.fromkeys([*predicted, *measured]) if predicted.get(name) or measured.get(name)]
+    names.sort(key=lambda name: -(measured.get(name) or predicted.get(name)))
+    return [(name, megabytes(predicted.get(name)), megabytes(measured.get(name))) for name in names]
 
 
 def part_rows(run):
@@ -62,7 +62,7 @@ def part_rows(run):
 
 
 def rows(campaign):
-    """One row a case and solver: its longest run that came to an end and was foretold."""
+    """One row a case and solver: its longest run that came to an end and was predicted."""
     for case in campaign["cases"]:
         longest = {}
         for run in case["runs"]:
@@ -72,12 +72,12 @@ def rows(campaign):
             yield case["case"], longest[solver]
 
 
-def pair(foretold, measured, mark):
-    return f"{foretold} / {measured} {MARKS[mark]}"
+def pair(predicted, measured, mark):
+    return f"{predicted} / {measured} {MARKS[mark]}"
 
 
 def sums_text(run):
-    """Solver's memory, resident memory and CPU time, foretold / measured and whether that was met."""
+    """Solver's memory, resident memory and CPU time, predicted / measured and whether that was met."""
     forecast = run["forecast"]
     return (
         pair(megabytes(forecast["solver_bytes"]), megabytes(forecast["measured_solver_bytes"]), forecast["memory"]),
@@ -109,13 +109,13 @@ def line_of_page(case, run):
         f'<tr><td><a href="#{escape(case)}">{escape(case)}</a><br><span class="quiet">{escape(run["name"])}</span></td>'
         f'<td class="wide">{escape(", ".join(modules(forecast["on"])))}' + (f'<br><span class="quiet">off: {escape(off)}</span>' if off else "") + "</td>"
         f'<td class="n">{memory}</td><td class="n">{resident}</td><td class="n">{time}</td>'
-        f"<td class='close'>{lines_of(f'{name} {foretold} / {measured}' for name, foretold, measured in memory_rows(run))}</td>"
+        f"<td class='close'>{lines_of(f'{name} {predicted} / {measured}' for name, predicted, measured in memory_rows(run))}</td>"
         f"<td class='close'>{lines_of(f'{name} {cpu_s} s, {share}' for name, cpu_s, share, _ in part_rows(run))}</td></tr>"
     )
 
 
 def page(campaign):
-    """HTML of the table, empty where nothing was foretold."""
+    """HTML of the table, empty where nothing was predicted."""
     body = "".join(line_of_page(case, run) for case, run in rows(campaign))
     if not body:
         return ""
@@ -123,8 +123,8 @@ def page(campaign):
     heads = [("case and run", ""), ("modules", ""), ("solver MB", " class=n"), ("resident MB", " class=n"), ("CPU s", " class=n"), ("MB by module", ""), ("CPU time by part", "")]
     head = "".join(f"<th{kind}>{name}</th>" for name, kind in heads)
     note = (
-        "Numbers are foretold by --plan / measured. ✓ met: the solver's memory within 10 %, resident memory within 10 % + 50 MB, CPU time within a "
-        "factor 2 (3 where finite elements choose their steps or points are sown); – not judged: below 1 s of CPU. What is off holds no byte and is "
+        "Numbers are predicted by --plan / measured. ✓ met: the solver's memory within 10 %, resident memory within 10 % + 50 MB, CPU time within a "
+        "factor 2 (3 where finite elements choose their steps or points are seeded); – not judged: below 1 s of CPU. What is off holds no byte and is "
         f"never called. Parts may lie within others: points to nodes, nodes, nodes to points and sorting within solid, factorisations within the solve. The longest run of each case and solver is shown; of all runs: {escape(said)}."
     )
     return f'<p class="quiet">{note}</p><div class="scroll"><table><tr>{head}</tr>{body}</table></div>'

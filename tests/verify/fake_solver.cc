@@ -7,7 +7,7 @@
 //   sleep             seconds of waiting;  burn: seconds of CPU time
 //   short             the history ends at this time instead of 1
 //   nan               1: the line probe holds an infinite value
-//   foretold          seconds that --plan forecasts instead of what will be burnt
+//   predicted          seconds that --plan forecasts instead of what will be burnt
 //   skew              the outline is a parallelogram about the origin, sheared by this
 //   growth            the energy grows by this factor per unit of time
 //   hole              exit code 2 if the growth is this
@@ -34,9 +34,9 @@ namespace
 
   Settings settings_of(const record::CommandLine &command)
   {
-    Settings settings{{"error", 0.},  {"order", 2.},    {"h", 1.},     {"exit", 0.},
-                      {"sleep", 0.},  {"burn", 0.},     {"short", 1.}, {"nan", 0.},
-                      {"growth", 0.}, {"foretold", 0.}, {"hole", -1.}, {"skew", 0.},
+    Settings settings{{"error", 0.},  {"order", 2.},     {"h", 1.},     {"exit", 0.},
+                      {"sleep", 0.},  {"burn", 0.},      {"short", 1.}, {"nan", 0.},
+                      {"growth", 0.}, {"predicted", 0.}, {"hole", -1.}, {"skew", 0.},
                       {"bytes", 0.},  {"troubled", 0.}};
     for (const auto &text : command.overrides)
       if (const auto equal = text.find('='); text.rfind("fake.", 0) == 0 && equal + 1 < text.size())
@@ -105,7 +105,7 @@ int main(int argc, char **argv)
   {
     std::printf("  on: everything (line 1)\n  off: nothing\n  memory, points: 5 MB\n"
                 "forecast cpu_s=%g solver_bytes=5e6 resident_bytes=%g\n",
-                s.at("foretold") > 0. ? s.at("foretold") : 0.01 + s.at("burn"),
+                s.at("predicted") > 0. ? s.at("predicted") : 0.01 + s.at("burn"),
                 record::peak_rss_bytes()); // under a sanitizer six times as much
     return 0;
   }

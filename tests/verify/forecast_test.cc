@@ -58,7 +58,7 @@ TEST(Forecast, ThatCameTrueIsMet)
 TEST(Forecast, ThatWasWrongFailsTheCampaign)
 {
   const Workspace w;
-  const json campaign = forecasts_of(w, "\"fake.burn=1.2\", \"fake.foretold=20\"");
+  const json campaign = forecasts_of(w, "\"fake.burn=1.2\", \"fake.predicted=20\"");
   EXPECT_EQ(campaign["cases"][0]["runs"][0]["forecast"]["time"], "missed");
   EXPECT_EQ(campaign["forecasts"]["time"]["missed"], 1);
   const json &check = campaign["cases"][0]["checks"].back();
@@ -72,7 +72,7 @@ TEST(Forecast, ThatWasWrongFailsTheCampaign)
 TEST(Forecast, OfSomeSecondsIsShownAsMissedAndDoesNotFail)
 {
   const Workspace w;
-  const json campaign = forecasts_of(w, "\"fake.burn=1.2\", \"fake.foretold=0.1\"");
+  const json campaign = forecasts_of(w, "\"fake.burn=1.2\", \"fake.predicted=0.1\"");
   EXPECT_EQ(campaign["cases"][0]["runs"][0]["forecast"]["time"], "missed");
   EXPECT_EQ(campaign["forecasts"]["time"]["missed"], 1);
   EXPECT_EQ(campaign["cases"][0]["checks"].back()["status"], "pass");
@@ -83,7 +83,7 @@ TEST(Forecast, OfSomeSecondsIsShownAsMissedAndDoesNotFail)
 TEST(Forecast, OfAShortRunIsNotJudgedByItsTime)
 {
   const Workspace w;
-  const json campaign = forecasts_of(w, "\"fake.burn=0.1\", \"fake.foretold=0.01\"");
+  const json campaign = forecasts_of(w, "\"fake.burn=0.1\", \"fake.predicted=0.01\"");
   EXPECT_EQ(campaign["cases"][0]["runs"][0]["forecast"]["time"], "not judged");
   EXPECT_EQ(campaign["cases"][0]["checks"].back()["status"], "pass");
   EXPECT_EQ(campaign["exit_code"], 0);
@@ -116,8 +116,8 @@ TEST(Forecast, OfShortRunsFailsTheCampaignInSum)
 {
   const Workspace w;
   const auto campaign = w.run(
-      "[[run]]\nname = \"a\"\nsolver = \"mpm_pf\"\nset = [\"fake.foretold=9.5\"]\n"
-      "[[run]]\nname = \"b\"\nsolver = \"mpm_pf\"\nset = [\"fake.foretold=9.5\", \"fake.h=2\"]\n");
+      "[[run]]\nname = \"a\"\nsolver = \"mpm_pf\"\nset = [\"fake.predicted=9.5\"]\n"
+      "[[run]]\nname = \"b\"\nsolver = \"mpm_pf\"\nset = [\"fake.predicted=9.5\", \"fake.h=2\"]\n");
   const auto &verdicts = campaign.cases.at(0).verdicts;
   ASSERT_EQ(verdicts.size(), 3u);
   EXPECT_EQ(verdicts[0].status, verify::Status::pass);
