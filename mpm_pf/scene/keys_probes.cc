@@ -35,14 +35,14 @@ namespace scene
                  "needed by lines")
             .add("bin", &P::bin, positive(Dimension::length),
                  "Side of the square round a point, or a point of a line, over which stresses, "
-                 "strains and the like are averaged there; displacements and velocities are not.",
+                 "strains and the like are averaged there; displacements and velocities are not. "
+                 "fe_reference gives its nearest integration point's where the square holds none.",
                  "absent: a twentieth of the shorter side of the bodies' bounding box, the same at "
                  "every resolution, yet a cell of the domain at least; four cells where a solid "
                  "grows")
             .add("frame", &P::frame, any(),
                  "Are the positions of a line or point current (x, y), or material (X, Y)? Fields "
-                 "of "
-                 "the melt are always taken at current positions.",
+                 "of the melt are always taken at current positions.",
                  "absent: current for lines, material for points of a solid")
             .add("of", &P::of, any(), "Quantities to record.",
                  "absent: all that the modules of the scene know")
