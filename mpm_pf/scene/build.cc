@@ -49,7 +49,7 @@ namespace scene
     }
 
     template <class T>
-    void take_module(const std::string &name, std::optional<T> &field, const Value &root,
+    void read_module(const std::string &name, std::optional<T> &field, const Value &root,
                      ErrorList &errors)
     {
       T module;
@@ -64,18 +64,18 @@ namespace scene
     {
       Scene &s = draft.scene;
       const Value &root = draft.root;
-      take_module("body_force", s.body_force, root, errors);
-      take_module("solid", s.solid, root, errors);
-      take_module("mpm", s.mpm, root, errors);
-      take_module("fe", s.fe, root, errors);
-      take_module("phase_field", s.phase_field, root, errors);
-      take_module("growth", s.growth, root, errors);
-      take_module("heat", s.heat, root, errors);
-      take_module("orientation", s.orientation, root, errors);
-      take_module("noise", s.noise, root, errors);
-      take_module("imposed", s.imposed, root, errors);
-      take_module("advection", s.advection, root, errors);
-      take_module("extension", s.extension, root, errors);
+      read_module("body_force", s.body_force, root, errors);
+      read_module("solid", s.solid, root, errors);
+      read_module("mpm", s.mpm, root, errors);
+      read_module("fe", s.fe, root, errors);
+      read_module("phase_field", s.phase_field, root, errors);
+      read_module("growth", s.growth, root, errors);
+      read_module("heat", s.heat, root, errors);
+      read_module("orientation", s.orientation, root, errors);
+      read_module("noise", s.noise, root, errors);
+      read_module("imposed", s.imposed, root, errors);
+      read_module("advection", s.advection, root, errors);
+      read_module("extension", s.extension, root, errors);
     }
 
     // False if what was written does not say where.

@@ -124,17 +124,19 @@ namespace solid
       return !other.contact || other.touched[other.index(i, j)];
     }
 
-    /// Does a support hold what a symmetry side would hold, the nodes at `place` of its carriers?
-    /// Then the push is the support's, and its motion counts.
-    bool held_by_support(const Supports &supports, const HeldLine &side, const int carrier,
-                         const double place, const double dx)
+    /// Does a support hold what a symmetry side would hold, node k of its carriers? Then the push
+    /// is the support's, and its motion counts.
+    bool held_by_support(const Supports &supports, const HeldLine &side, const Grid &grid,
+                         const int carrier, const int k)
     {
       for (std::size_t l = 0; l < supports.lines.size(); ++l)
       {
         const HeldLine &line = supports.lines[l];
-        if (line.support >= 0 && !line.contact && line.axis == side.axis &&
-            supports.folds.lines[l].carrier() == carrier &&
-            place >= line.lower - line.reach[0] * dx && place <= line.upper + line.reach[1] * dx)
+        if (line.support < 0 || line.contact || line.axis != side.axis ||
+            supports.folds.lines[l].carrier() != carrier)
+          continue;
+        const auto [first, last] = nodes_within(line, grid, line.reach);
+        if (k >= first && k <= last)
           return true;
       }
       return false;
@@ -161,8 +163,8 @@ namespace solid
             }
             if (line.contact && !line.touched[line.index(i, j)])
               return;
-            const double place = line.axis == 0 ? grid.node_y(j) : grid.node_x(i);
-            if (!support && held_by_support(supports, line, fold.carrier(), place, grid.dx))
+            if (!support &&
+                held_by_support(supports, line, grid, fold.carrier(), line.axis == 0 ? j : i))
               return;
             std::array<bool, 2> held = line.held;
             if (held[1 - line.axis] && crossed(supports, line, grid, i, j, n))

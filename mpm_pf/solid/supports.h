@@ -165,21 +165,29 @@ namespace solid
     double work = 0., work_done = 0.;   // by supports since the start; sum of absolute values
   };
 
+  /// First and last column (of a line along y: row) of nodes from reach[0] cells before the line to
+  /// reach[1] cells beyond, whether they are in use or not.
+  inline std::array<double, 2> nodes_within(const HeldLine &line, const Grid &grid,
+                                            const std::array<double, 2> &reach)
+  {
+    const int along = 1 - line.axis;
+    const auto column = [&](const double x) { return (x - grid.lower[along]) * grid.inverse_dx; };
+    return {std::ceil(column(line.lower) - reach[0] - 1e-9),
+            std::floor(column(line.upper) + reach[1] + 1e-9)};
+  }
+
   /// Call f(i, j, n) for the nodes of `row` along the line, from reach[0] cells before it to
   /// reach[1] cells beyond.
   template <typename F>
   void for_nodes_along(const HeldLine &line, const Grid &grid, const int row,
                        const std::array<double, 2> &reach, F &&f)
   {
-    const int along = 1 - line.axis;
-    const auto column = [&](const double x) { return (x - grid.lower[along]) * grid.inverse_dx; };
     // However long the line (a symmetry side has no ends), only what is in use is looked at.
     const auto [begin, end] =
         line.axis == 1 ? grid.columns(row) : std::pair{grid.row_begin, grid.row_end};
-    const int first =
-        static_cast<int>(std::ceil(std::max<double>(begin, column(line.lower) - reach[0] - 1e-9)));
-    const int last = static_cast<int>(
-        std::floor(std::min<double>(end - 1, column(line.upper) + reach[1] + 1e-9)));
+    const auto [from, to] = nodes_within(line, grid, reach);
+    const int first = static_cast<int>(std::max<double>(begin, from));
+    const int last = static_cast<int>(std::min<double>(end - 1, to));
     for (int k = first; k <= last; ++k)
     {
       const int i = line.axis == 1 ? k : row, j = line.axis == 1 ? row : k;
