@@ -33,14 +33,19 @@ namespace verify
                                                             : "failed";
     }
 
+    // The last lines of a log: of a run that failed, those that say why and no banner before them.
     std::string log_tail(const std::string &log)
     {
       std::ifstream stream(log);
       std::vector<std::string> lines;
-      for (std::string line; std::getline(stream, line);)
-        lines.push_back(line);
+      std::size_t reason = 0;
+      for (std::string line; std::getline(stream, line); lines.push_back(line))
+        if (line.find(": failed in ") != std::string::npos)
+          reason = lines.size() + 1;
+      const std::size_t last_twelve = lines.size() > 12 ? lines.size() - 12 : 0;
+      const std::size_t begin = reason < lines.size() ? std::max(reason, last_twelve) : last_twelve;
       std::string text;
-      for (std::size_t i = lines.size() > 12 ? lines.size() - 12 : 0; i < lines.size(); ++i)
+      for (std::size_t i = begin; i < lines.size(); ++i)
         text += lines[i] + "\n";
       return text;
     }

@@ -111,7 +111,7 @@ int main(int argc, char **argv)
   }
   if (s.at("troubled") > 0.)
   {
-    std::printf("fake trouble, going back\n");
+    std::printf("a banner\nfake run: failed in 0 s\nfake trouble, going back\n");
     std::fflush(stdout);
     std::signal(SIGTERM, [](int) { std::_Exit(3); });
   }

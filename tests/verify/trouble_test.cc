@@ -59,6 +59,7 @@ TEST(Campaign, TellsTroubleAndTimeLimitOfARunThatMetBoth)
   EXPECT_EQ(outcome.status, "diverged");
   for (const char *said : {"its time limit of 0.2 s", "fake trouble, going back"})
     EXPECT_NE(outcome.log_tail.find(said), std::string::npos) << outcome.log_tail;
+  EXPECT_EQ(outcome.log_tail.find("a banner"), std::string::npos) << outcome.log_tail;
 }
 
 TEST(Campaign, SurvivesALogOfAnyBytes)
