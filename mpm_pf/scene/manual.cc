@@ -1,4 +1,7 @@
 // explain() and manual(): the tables of keys.h as text.
+#include <algorithm>
+#include <cctype>
+
 #include "scene/expression.h"
 #include "scene/formula_words.h"
 #include "scene/keys.h"
@@ -89,6 +92,48 @@ namespace scene
                             : words + quantities;
     }
 
+    /// Does the sentence have this whole word? Symbols (E, nu, D) with their case, longer ones
+    /// however they are written.
+    bool mentions(const std::string &sentence, const std::string &word)
+    {
+      const bool symbol = word.size() <= 2;
+      const auto same = [symbol](const char a, const char b)
+      {
+        const auto lower = [](const char c) { return std::tolower(static_cast<unsigned char>(c)); };
+        return symbol ? a == b : lower(a) == lower(b);
+      };
+      const auto inside_word = [&sentence](const std::size_t at)
+      {
+        return at < sentence.size() &&
+               (std::isalnum(static_cast<unsigned char>(sentence[at])) || sentence[at] == '_');
+      };
+      for (auto from = sentence.begin(); from != sentence.end(); ++from)
+      {
+        from = std::search(from, sentence.end(), word.begin(), word.end(), same);
+        if (from == sentence.end())
+          return false;
+        const std::size_t at = from - sentence.begin();
+        if (!(at > 0 && inside_word(at - 1)) && !inside_word(at + word.size()))
+          return true;
+      }
+      return false;
+    }
+
+    /// Sections and keys whose sentence mentions it: what is called otherwise here.
+    std::vector<std::string> names_that_mention(const std::string &word)
+    {
+      std::vector<std::string> names;
+      for (const Section &section : sections())
+      {
+        if (!section.name.empty() && mentions(section.sentence, word))
+          names.push_back(section.name);
+        for (const Key &key : section.keys)
+          if (mentions(key.sentence, word))
+            names.push_back(full_name(section, key));
+      }
+      return names;
+    }
+
     std::string cell(std::string text)
     {
       for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2)
@@ -112,6 +157,7 @@ namespace scene
         known.push_back(full_name(section, key));
         if (known.back() == wanted)
           return entry(section, key);
+        known.push_back(key.name);
       }
     }
     if (wanted.empty())
@@ -129,8 +175,10 @@ namespace scene
     for (const Quantity &quantity : probe_quantities())
       known.push_back(quantity.name);
     const std::string hint = did_you_mean(wanted, known);
+    const std::vector<std::string> related = names_that_mention(wanted);
     throw BadScene("there is no key, section, function or quantity \"" + wanted + "\"" +
                    (hint.empty() ? "" : "; " + hint) +
+                   (related.empty() ? "" : "; mentioned under " + comma_separated(related)) +
                    "\n  remedy: --explain all lists everything");
   }
 

@@ -115,6 +115,26 @@ TEST(Explain, NamesTheNearestKey)
   }
 }
 
+TEST(Explain, NamesTheKeysThatMentionAWord)
+{
+  const auto error_of = [](const std::string &word) -> std::string
+  {
+    try
+    {
+      return scene::explain(word);
+    }
+    catch (const scene::BadScene &error)
+    {
+      return error.what();
+    }
+  };
+  EXPECT_NE(error_of("Gravity").find("body_force"), std::string::npos);
+  EXPECT_NE(error_of("E").find("under solid.young_modulus"), std::string::npos) << error_of("E");
+  EXPECT_NE(error_of("eps").find("growth.anisotropy"), std::string::npos);
+  EXPECT_EQ(error_of("ravit").find("mentioned"), std::string::npos) << "part of a word";
+  EXPECT_EQ(error_of("e").find("young_modulus"), std::string::npos) << "a symbol has its case";
+}
+
 TEST(Manual, HasARowForEveryKeyAndALineForEveryRule)
 {
   const std::string text = scene::manual();
