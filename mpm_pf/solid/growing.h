@@ -10,7 +10,8 @@
 // owes to the points until that is a quarter of a cell (the share of one of 2 x 2 points); what a
 // cell owes when the contour has left it goes to the nearest cell that the contour crosses. Points
 // + owed area = area at activation + grown - melted, always. Areas of this header are those of
-// stress-free solid, mass over density.
+// stress-free solid, mass over density. Only what is owed by the points is an area of the strained
+// solid, since that is what phi melts; once it has been paid it is booked as melted without stress.
 #pragma once
 
 #include <optional>

@@ -171,10 +171,13 @@ namespace solid
         for (const Candidate &candidate : outermost(solid, areas, buckets, gone, debt))
         {
           const std::size_t p = candidate.point;
+          // phi melts what is there now, strained as it is; the budget counts it without stress.
           const double area = solid.points.mass[p] / solid.material.density;
-          if (-debt.value < 0.5 * area * (1. - 1e-9))
+          const double area_now = area * solid.points.jacobian[p];
+          if (-debt.value < 0.5 * area_now * (1. - 1e-9))
             break;
-          debt.value += area;
+          debt.value += area_now;
+          growing.budget.melted += area - area_now;
           gone[p] = 1, more = debt.value < 0.;
           removed.push_back(p);
           const double elastic = elastic_energy_of(solid, p);

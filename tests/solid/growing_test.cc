@@ -112,6 +112,25 @@ TEST(Growing, MeltingBackEmptiesIt)
   EXPECT_NEAR(now.owed, 0., 1e-10 * area);
 }
 
+// phi melts the area that the strained solid covers, whatever its mass is without stress.
+TEST(Growing, MeltingOfACompressedBodyTakesAwayTheAreaThatItCovers)
+{
+  Disc disc;
+  disc.activate();
+  for (std::size_t p = 0; p < disc.solid.points.size(); ++p)
+    disc.solid.points.jacobian[p] = 0.9, disc.solid.points.mass[p] /= 0.9;
+  const double covered = area(disc.solid), imbalance = area_budget(disc.solid).imbalance();
+  for (int k = 0; k < 170; ++k)
+  {
+    disc.grow(-step);
+    const AreaBudget now = area_budget(disc.solid);
+    ASSERT_NEAR(area(disc.solid) + now.owed, now.phi, 1e-10 * covered) << k;
+    ASSERT_NEAR(now.imbalance(), imbalance, 1e-10 * covered) << k;
+  }
+  EXPECT_EQ(points(disc.solid), 0);
+  EXPECT_NEAR(area_budget(disc.solid).melted, covered / 0.9, 0.02 * covered);
+}
+
 TEST(Growing, AdvectionOfTheMarkerIsNoGrowth)
 {
   Disc disc;
