@@ -83,6 +83,36 @@ namespace scene
       }
       return moved;
     }
+    // A circle about a point of the side is its own mirror image, and the way from a point of the
+    // domain out to a circle about a point beyond does not lead over the side.
+    bool is_as_near_in_the_domain(const Body &body, const Domain &domain, const Edge side,
+                                  const double tolerance)
+    {
+      const auto *disc = std::get_if<Disc>(&body.shape);
+      const auto *ring = std::get_if<Ring>(&body.shape);
+      if (!disc && !ring)
+        return false;
+      const int k = static_cast<int>(side), axis = k / 2;
+      const double beyond = k % 2 == 0
+                                ? domain.lower[axis] - (disc ? disc->centre : ring->centre)[axis]
+                                : (disc ? disc->centre : ring->centre)[axis] - domain.upper()[axis];
+      return disc ? beyond >= -tolerance : std::abs(beyond) <= tolerance;
+    }
+
+    // What reaches over a symmetry side is no part of the crystal: its own mirror image is there.
+    void cut_at_symmetry_sides(std::vector<Body> &bodies, const Domain &domain,
+                               const double spacing)
+    {
+      const double tolerance = 1e-6 * domain.spacing().minCoeff();
+      for (Body &body : bodies)
+        for (const Edge side : {Edge::left, Edge::right, Edge::bottom, Edge::top})
+          if (reaches_over_symmetry(domain, side, bounding_box({body}), tolerance) &&
+              !is_as_near_in_the_domain(body, domain, side, tolerance))
+          {
+            body.shape = Polygon{outline({body}, domain, spacing)};
+            break;
+          }
+    }
   } // namespace
 
   std::vector<Body> opened_at_sides(std::vector<Body> bodies, const Domain &domain)
@@ -105,10 +135,12 @@ namespace scene
     return bodies;
   }
 
-  InterfaceDistance::InterfaceDistance(const std::vector<Body> &all, const Domain &domain,
+  InterfaceDistance::InterfaceDistance(std::vector<Body> all, const Domain &domain,
                                        const double flat, const double spacing)
-      : bodies(opened_at_sides(all, domain)), depth(flat)
+      : depth(flat)
   {
+    cut_at_symmetry_sides(all, domain, spacing);
+    bodies = opened_at_sides(std::move(all), domain);
     if (any_touch(bodies))
       joined = Body{{}, Polygon{union_outline(bodies, spacing)}, {}, {}, {}};
   }

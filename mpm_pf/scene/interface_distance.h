@@ -1,8 +1,9 @@
 // The bodies as the phase field sees them: signed distance to their liquid-solid interface.
 //
-// Two things are outlines of bodies but no interfaces: an edge that lies on a side of the domain
-// (nothing is beyond it), and the seam of two bodies that touch or overlap. A profile
-// tanh(d/(sqrt(2) W0)) of the plain distance would open a groove of melt along both.
+// Three things are outlines of bodies but no interfaces: an edge that lies on a side of the domain
+// (nothing is beyond it), what reaches over a symmetry side, and the seam of two bodies that touch
+// or overlap. A profile tanh(d/(sqrt(2) W0)) of the plain distance would open a groove of melt
+// along each.
 #pragma once
 
 #include <optional>
@@ -17,7 +18,7 @@ namespace scene
   public:
     /// Distances deeper inside than `depth` may be too small, never below `depth`: there the
     /// profile is flat. Curves of joined bodies are chords of `spacing`.
-    InterfaceDistance(const std::vector<Body> &, const Domain &, double depth, double spacing);
+    InterfaceDistance(std::vector<Body>, const Domain &, double depth, double spacing);
 
     /// Signed distance of `p` to the interface, positive inside; infinite where there is none.
     double operator()(const Point &p) const;

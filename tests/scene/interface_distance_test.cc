@@ -48,6 +48,32 @@ TEST(InterfaceDistance, OfABlockInACornerSeesTwoEdges)
   EXPECT_NEAR(distance({4., 6.}), -5., 1e-12);
 }
 
+// However far a body reaches over a symmetry side, it is the same crystal.
+TEST(InterfaceDistance, DoesNotSeeWhatReachesOverASymmetrySide)
+{
+  const Domain domain = box(Boundary::symmetry);
+  for (const double over : {1e-3, 0.05, 1., 20.})
+    for (const Body &layer :
+         {body(scene::Rectangle{{-over, 0.}, {3. + over, 4.}}),
+          body(scene::Polygon{{{{-over, 0.}, {3., 0.}, {3., 4.}, {-over, 4.}}}})})
+    {
+      const InterfaceDistance distance({layer}, domain, 100., 0.1);
+      for (const double x : {0., 0.7, 3., 5.})
+        EXPECT_NEAR(distance({x, 1.3}), 3. - x, 1e-9) << over << ", " << x;
+    }
+}
+
+// Two circles grown together, mirrored in the right side: the nearest interface is the neck's edge.
+TEST(InterfaceDistance, OfADiscCutByASymmetrySideIsToTheNeck)
+{
+  const Domain domain = box(Boundary::symmetry);
+  const InterfaceDistance cut({body(scene::Disc{{9.1, 2.}, 1.})}, domain, 100., 1e-3);
+  EXPECT_NEAR(cut({10., 2.}), std::sqrt(1. - 0.81), 1e-5);
+  EXPECT_NEAR(cut({9.1, 2.}), 1., 1e-5);
+  const InterfaceDistance half({body(scene::Disc{{10., 2.}, 1.})}, domain, 100., 0.5);
+  EXPECT_NEAR(half({9.6, 2.}), 0.6, 1e-14) << "a circle about a point of the side stays a circle";
+}
+
 TEST(InterfaceDistance, OfABodyThatFillsTheDomainIsFar)
 {
   const InterfaceDistance distance({body(scene::Rectangle{{0., 0.}, {10., 4.}})}, box(), 1., 0.1);
