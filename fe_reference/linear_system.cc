@@ -114,6 +114,7 @@ namespace fe
     Teuchos::ParameterList &mumps = parameters.sublist("mumps");
     mumps.set("ICNTL(14)", 60); // per cent of spare workspace for pivots that move
     mumps.set("ICNTL(8)", 0);   // rows and columns are of one scale already
+    mumps.set("ICNTL(33)", 1);  // the determinant, from the pivots
     solver->SetParameters(parameters);
   }
 
@@ -179,6 +180,15 @@ namespace fe
     sum_over_processes(result);
     stopwatch.add_to(t.cost);
     return result;
+  }
+
+  int LinearSystem::determinant_sign() const
+  {
+    auto *const mumps = dynamic_cast<Amesos_Mumps *>(trilinos->solver.get());
+    if (!mumps || trilinos->cost.calls == 0)
+      return 0;
+    const double mantissa = mumps->GetRINFOG()[11]; // RINFOG(12) of MUMPS' manual
+    return mantissa > 0. ? 1 : mantissa < 0. ? -1 : 0;
   }
 
   double LinearSystem::factorisation_seconds() const

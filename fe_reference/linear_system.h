@@ -39,6 +39,10 @@ namespace fe
     /// std::runtime_error if the matrix is singular to working precision.
     std::vector<double> solve(const std::vector<double> &right_side);
 
+    /// Sign of the determinant of the last matrix solved: -1 where an odd number of its eigenvalues
+    /// is negative, so that the equilibrium is unstable; 0 where the solver does not tell (KLU).
+    int determinant_sign() const;
+
     /// Cost so far of factorisations and solutions, and their number.
     double factorisation_seconds() const;
     double factorisation_cpu_seconds() const;

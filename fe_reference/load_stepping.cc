@@ -54,11 +54,14 @@ namespace fe
       State last, now;
       SteppingState stepping;
       NewtonReport report;
+      int unstable = 0; // equilibria in a row
+      std::optional<double> unstable_from, unstable_since;
 
       double target_time(double wanted) const;
       bool attempt(double time, bool carried);
       bool advance();
       void accept();
+      void watch_stability();
       bool finished() const { return last.time > options.end - 1e-9 * nominal; }
       bool goes_on_past_the_end() const
       {
@@ -66,6 +69,16 @@ namespace fe
                last.time < longest_course * options.end;
       }
     };
+
+    // One tangent alone may be that of an iterate on which points switch between yielding or not.
+    void March::watch_stability()
+    {
+      unstable = report.determinant_sign < 0 ? unstable + 1 : 0;
+      if (unstable == 1)
+        unstable_from = now.time;
+      if (unstable == 2 && !unstable_since)
+        unstable_since = unstable_from;
+    }
 
     // Not past the next sampling time or the end, nor just short of it.
     double March::target_time(const double wanted) const
@@ -126,6 +139,7 @@ namespace fe
       if (stepping.easy_increments >= 2)
         stepping.increment = std::min(nominal, 1.5 * stepping.increment);
       options.observe({now, last, stepping, report});
+      watch_stability();
       std::swap(last, now);
     }
   } // namespace
@@ -152,7 +166,8 @@ namespace fe
                          const SteppingOptions &options, SteppingState stepping)
   {
     const double nominal = options.end / options.load_steps;
-    March march{problem, system, options, nominal, std::move(initial), {}, std::move(stepping), {}};
+    March march{problem, system, options, nominal, std::move(initial), {}, std::move(stepping),
+                {},      0,      {},      {}};
     march.now = march.last;
     if (march.stepping.steps == 0)
     {
@@ -186,6 +201,7 @@ namespace fe
     }
     if (options.until_folding && march.finished() && outcome.message.empty() && options.folded())
       outcome.message = "the mesh has folded; the march ends";
+    outcome.unstable_since = march.unstable_since;
     outcome.last = std::move(march.last);
     outcome.stepping = std::move(march.stepping);
     return outcome;

@@ -65,6 +65,7 @@ namespace fe
     std::string message; // time, step, place, reason and remedy where no equilibrium was found
     State last;          // last equilibrium
     SteppingState stepping;
+    std::optional<double> unstable_since; // time of the first of two unstable equilibria in a row
   };
 
   /// March from `initial`, an equilibrium. `stepping` is that of an earlier run which goes on here.

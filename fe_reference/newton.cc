@@ -173,6 +173,7 @@ namespace fe
         {
           report.converged = pins_are_free(problem, now, balance, report);
           now.force_scale = balance.scale;
+          report.determinant_sign = system.determinant_sign();
           return report;
         }
         if (!assemble(problem, old, now, &tangent) ||

@@ -22,6 +22,7 @@ namespace fe
     std::string failure;           // why not
     std::string remedy;            // where no smaller increment helps; else empty
     int worst_unknown = 0;         // largest out-of-balance force
+    int determinant_sign = 0;      // of the last tangent; 0: not known
   };
 
   /// Find the equilibrium at `now.time` from `old`, starting at `now.u`. On success `now` is

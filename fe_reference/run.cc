@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "banner.h"
+#include "findings.h"
 #include "memory.h"
 #include "observer.h"
 #include "plan.h"
@@ -136,24 +137,8 @@ namespace fe
         observer.observe_last({outcome.last, outcome.last, outcome.stepping, {}});
       if (!first)
         return diverged ? record::numerical_trouble : record::all_right;
-      writer->attribute("largest_load_factor", outcome.last.time / scene.clock.end);
-      writer->attribute("largest_valid_load_factor",
-                        observer.folding().last_valid / scene.clock.end);
-      writer->attribute("smallest_jacobian", outcome.last.smallest_jacobian);
-      writer->attribute("smallest_nodal_jacobian", observer.smallest_nodal_jacobian());
-      writer->attribute("folded_cells", static_cast<double>(observer.folded_cells_at_end()));
-      writer->attribute("first_folding", observer.first_folding());
       writer->attribute("linear_solver", system.solver_name());
-      if (!observer.first_folding().empty())
-        std::cerr << "fe_reference: the mesh folds at a node from " << observer.first_folding()
-                  << "; " << observer.folded_cells_at_end() << " of " << problem.mesh.cells
-                  << " cells are marked invalid at the end\n";
-      if (const std::string where = observer.self_overlap(outcome.last); !where.empty())
-      {
-        writer->attribute("self_overlap", where);
-        std::cerr << "fe_reference: the body lies in itself at the end, " << where
-                  << ": there is no contact here, and nothing holds it apart\n";
-      }
+      write_findings(*writer, problem, observer, outcome, scene.clock.end);
       if (!outcome.message.empty())
       {
         writer->attribute("ended_by", outcome.message);

@@ -150,3 +150,26 @@ TEST(LoadSteps, ShrinkWhereNewtonFailsAndGoOnToTheEnd)
   EXPECT_GT(outcome.stepping.retries, 0);
   EXPECT_GT(outcome.stepping.steps, 2);
 }
+
+// A clamped strut, straight and pressed along itself, stays straight beyond Euler's shortening
+// 4 pi^2 I/(A L^2) = (pi h/L)^2/3, where that is no stable equilibrium any more: it says so.
+TEST(Strut, TellsWhereItWouldBuckle)
+{
+  const double euler = std::pow(std::acos(-1.) / 20., 2) / 3., most = 1.5 * euler;
+  scene::Scene scene = fe_test::solid_scene(1e4, {40, 2}, 2, 60);
+  scene.bodies = {fe_test::rectangle(0., 0., 20., 1.)};
+  scene.supports = {
+      fe_test::support("left", scene::Edge::left, "0", "0"),
+      fe_test::support("right", scene::Edge::right, std::to_string(-20. * most) + "*t", "0")};
+  const fe::Problem problem = fe_test::problem_of(scene);
+  const fe::Outcome outcome = fe_test::solve(scene, problem);
+  ASSERT_EQ(outcome.kind, fe::Outcome::Kind::complete) << outcome.message;
+  if (fe::LinearSystem(problem.mesh).solver_name() != std::string("Amesos_Mumps"))
+    GTEST_SKIP() << "this Trilinos has no MUMPS, and KLU tells no determinant";
+  ASSERT_TRUE(outcome.unstable_since.has_value());
+  EXPECT_NEAR(*outcome.unstable_since * most, euler, 0.05 * euler);
+
+  scene.supports.back() =
+      fe_test::support("right", scene::Edge::right, std::to_string(20. * most) + "*t", "0");
+  EXPECT_FALSE(fe_test::solve(scene, fe_test::problem_of(scene)).unstable_since) << "pulled";
+}
