@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "coupling.h"
+#include "melt_check.h"
 
 void step(World &w, const double dt)
 {
@@ -44,6 +45,7 @@ bool simulate(World &world, Recorder &recorder,
           medium::time_to_compression(*world.walls, world.time, recorder.next_compression(), free);
     const bool lands = event - world.time <= free * (1. + 1e-9);
     step(world, lands ? event - world.time : free);
+    check_melt(world);
     if (lands)
       world.time = event; // the sum of steps differs from it by round-off
     recorder.observe(world);

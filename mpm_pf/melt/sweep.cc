@@ -112,7 +112,7 @@ namespace melt
     if (!finite)
       throw medium::NumericalError("growth step " + std::to_string(first_step + done) + ": " +
                                    first_bad_node(*fields.phi, mesh) +
-                                   " has left its bounds; is the step past its limit?");
+                                   " has left its bounds: shorten the step (growth.step_fraction)");
     if (fields.phi)
       medium::fill_behind(*fields.phi, cuts, mesh);
     if (fields.theta)
