@@ -51,8 +51,9 @@ namespace melt
       const medium::Cuts *cuts = nullptr;
     };
 
-    /// The smaller of the two limits (that of heat alone without a phase), time. Any step up to it
-    /// is stable.
+    /// The smaller of the two limits (that of heat alone without a phase), time. The two equations
+    /// are coupled by the latent heat at the front: with both, steps up to 0.97 of it are stable
+    /// (measured: dx/W0 0.25 to 0.8, eps 0 to 0.06), 1.0 of it are not.
     double step_limit() const { return limit; }
 
     /// `steps` steps of length `h` (time) of Eqs. (1) and (2), right sides. Ghosts are filled

@@ -34,8 +34,11 @@ namespace scene
                "the nine-point one is isotropic and allows a larger step")
           .add("precision", &Growth::precision, any(), "Numbers in which the fields are kept.",
                "float halves the memory traffic; its error is measured in the report")
-          .add("step_fraction", &Growth::step_fraction, up_to(1.),
-               "Step as a part of the explicit limit.", "margin for the nonlinear terms")
+          .add(
+              "step_fraction", &Growth::step_fraction, up_to(0.95),
+              "Step as a part of the explicit limit, the smaller of Eq. (1)'s and Eq. (2)'s alone; "
+              "latent heat couples them, and together they are stable up to 0.97 of it.",
+              "margin for the nonlinear terms")
           .add("step", &Growth::step, positive(Dimension::time), "The growth step itself.",
                "absent: step_fraction sets it")
           .add("tiles", &Growth::tiles, any(), "Work only where something happens.",

@@ -40,7 +40,7 @@ TEST(Explain, PrintsUnitRangeDefaultAndReason)
 {
   const std::string text = scene::explain("growth.step_fraction");
   EXPECT_NE(text.find("default: 0.8"), std::string::npos) << text;
-  EXPECT_NE(text.find("at most 1"), std::string::npos) << text;
+  EXPECT_NE(text.find("at most 0.95"), std::string::npos) << text;
   const std::string modulus = scene::explain("solid.young_modulus");
   EXPECT_NE(modulus.find("Pa (in W0-tau0-sigmaY: sigma_Y)"), std::string::npos) << modulus;
   EXPECT_NE(modulus.find("must be given"), std::string::npos) << modulus;
