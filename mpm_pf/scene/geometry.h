@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 #include "scene/scene.h"
@@ -23,7 +24,11 @@ namespace scene
   /// Outline of the union as closed polylines; curves are chords of at most `spacing`.
   std::vector<Polyline> union_outline(const std::vector<Body> &, double spacing);
 
-  /// The same, vertices at most `spacing` apart (circles and edges
+  /// One polygon of all bodies, without the seams of those that touch or overlap; nothing where
+  /// none do. Curves are chords of at most `spacing`.
+  std::optional<Body> joined_where_they_touch(const std::vector<Body> &, double spacing);
+
+  /// Outline of the union as closed polylines, vertices at most `spacing` apart (circles and edges
   /// are subdivided).
   std::vector<Polyline> outline(const std::vector<Body> &, double spacing);
   /// The same, with what lies beyond the symmetry sides of `domain` cut off.

@@ -47,20 +47,6 @@ namespace scene
       std::array<bool, 4> counts{}; // as Edge: left, right, bottom, top
     };
 
-    bool any_touch(const std::vector<Body> &bodies)
-    {
-      for (std::size_t i = 0; i < bodies.size(); ++i)
-        for (std::size_t j = 0; j < i; ++j)
-        {
-          const Box a = bounding_box({bodies[i]}), b = bounding_box({bodies[j]});
-          const double slack = 1e-9 * (a.upper - a.lower).norm();
-          if ((a.lower.array() <= b.upper.array() + slack).all() &&
-              (b.lower.array() <= a.upper.array() + slack).all())
-            return true;
-        }
-      return false;
-    }
-
     // Each open edge moves along its normal by `far`; its ends follow along the neighbours' lines.
     Polyline opened(const Polyline &line, const Sides &sides, const double far)
     {
@@ -141,8 +127,7 @@ namespace scene
   {
     cut_at_symmetry_sides(all, domain, spacing);
     bodies = opened_at_sides(std::move(all), domain);
-    if (any_touch(bodies))
-      joined = Body{{}, Polygon{union_outline(bodies, spacing)}, {}, {}, {}};
+    joined = joined_where_they_touch(bodies, spacing);
   }
 
   double InterfaceDistance::operator()(const Point &p) const

@@ -181,6 +181,20 @@ namespace scene
               if (std::abs(p[axis] - side) <= tolerance)
                 p[axis] = side;
     }
+
+    bool any_touch(const std::vector<Body> &bodies)
+    {
+      for (std::size_t i = 0; i < bodies.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+        {
+          const Box a = bounding_box({bodies[i]}), b = bounding_box({bodies[j]});
+          const double slack = 1e-9 * (a.upper - a.lower).norm();
+          if ((a.lower.array() <= b.upper.array() + slack).all() &&
+              (b.lower.array() <= a.upper.array() + slack).all())
+            return true;
+        }
+      return false;
+    }
   } // namespace
 
   std::vector<Polyline> union_outline(const std::vector<Body> &bodies, const double spacing)
@@ -188,6 +202,13 @@ namespace scene
     const std::vector<Polyline> given = outlines_of(bodies, spacing);
     const double unit = unit_of(given);
     return exact_vertices(lines_of(union_of(bodies, spacing, unit), unit), given);
+  }
+
+  std::optional<Body> joined_where_they_touch(const std::vector<Body> &bodies, const double spacing)
+  {
+    if (!any_touch(bodies))
+      return {};
+    return Body{{}, Polygon{union_outline(bodies, spacing)}, {}, {}, {}};
   }
 
   std::vector<Polyline> outline(const std::vector<Body> &bodies, const double spacing)

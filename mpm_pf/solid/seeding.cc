@@ -265,7 +265,13 @@ namespace solid
       }
     }
     else
-      fill(points, fraction, scene.bodies, lattice, material.density);
+    {
+      // The distance to a seam between bodies would leave out material along it.
+      const auto joined =
+          scene::joined_where_they_touch(scene.bodies, 0.1 * lattice.spacing.minCoeff());
+      fill(points, fraction, joined ? std::vector<scene::Body>{*joined} : scene.bodies, lattice,
+           material.density);
+    }
     if (points.size() == 0)
       refuse(scene.bodies.empty() ? SourceLocation{} : scene.bodies[0].place,
              "without a material point: it is smaller than a point's share of a cell; refine "

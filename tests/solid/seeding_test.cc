@@ -113,6 +113,22 @@ TEST(Seeding, LeavesTheWeightOfABlockWhereItIs)
   }
 }
 
+// The seam of two bodies that touch is no outline: nothing is missing along it.
+TEST(Seeding, OfBodiesThatTouchLeavesNothingOutAtTheirSeam)
+{
+  for (const double shift : {0.013, 0.031, 0.047})
+  {
+    const double x = 0.4 + shift;
+    const std::vector<Shape> pair{scene::Rectangle{{0.3, 0.3}, {x - 0.3, 0.8}},
+                                  scene::Rectangle{{x, 0.3}, {0.7, 0.8}}};
+    const Point zeroth = integral(scene_of(pair, 20), "1", "1");
+    EXPECT_NEAR(zeroth[0], (x + 0.4) * 0.8, 1e-9) << shift;
+  }
+  const std::vector<Shape> plugged{scene::Ring{{1.01, 0.98}, 0.3, 0.7},
+                                   scene::Disc{{1.01, 0.98}, 0.3}};
+  EXPECT_NEAR(integral(scene_of(plugged, 20), "1", "1")[0], pi * 0.49, 3e-4);
+}
+
 // Half of a bar whose symmetry line no lattice of points follows from its other end.
 TEST(Seeding, OfARectangleThatASymmetrySideCuts)
 {
