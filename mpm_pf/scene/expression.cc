@@ -73,7 +73,7 @@ namespace scene
     Expression expression;
     mu::Parser parser;
     Argument argument; // muParser reads the variables from here
-    bool constant = true, timed = false, placed = false;
+    bool constant = true, timed = false, placed = false, current = false;
     double value = 0.; // of a constant
 
     explicit Compiled(const Expression &e) : expression(e)
@@ -93,6 +93,7 @@ namespace scene
         constant = used.empty();
         timed = used.count("t") > 0;
         placed = used.size() > (timed ? 1u : 0u);
+        current = used.count("x") > 0 || used.count("y") > 0;
         value = constant ? first : 0.;
       }
       catch (const mu::ParserError &error)
@@ -161,6 +162,11 @@ namespace scene
   bool Function::depends_on_position() const
   {
     return compiled->placed;
+  }
+
+  bool Function::depends_on_current_position() const
+  {
+    return compiled->current;
   }
 
   double time_derivative(const Function &f, const Argument &argument, const double h)

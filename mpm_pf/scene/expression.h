@@ -51,7 +51,8 @@ namespace scene
     double operator()(const Argument &) const;
     bool is_constant() const; // depends on nothing
     bool depends_on_time() const;
-    bool depends_on_position() const; // on any of X, Y, x, y
+    bool depends_on_position() const;         // on any of X, Y, x, y
+    bool depends_on_current_position() const; // on x or y
 
   private:
     struct Compiled;

@@ -38,6 +38,8 @@ namespace scene
           {"A support or traction is where material is.", loads_meet_material},
           {"A support holds at least one component, and starts from zero displacement.",
            supports_hold_something},
+          {"The displacement of a support is told of X, Y and t.",
+           displacements_are_of_places_at_the_start},
           {"Two supports do not hold one component of one place.", supports_do_not_compete},
           {"A traction acts on the outline: an edge, a segment, or what of it starts in a region.",
            tractions_act_on_outlines},

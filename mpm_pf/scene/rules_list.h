@@ -20,6 +20,7 @@ namespace scene
   void viscosity_needs_yield_stress(const Inspection &);
   void initial_state_is_of_a_solid(const Inspection &);
   void supports_hold_something(const Inspection &);
+  void displacements_are_of_places_at_the_start(const Inspection &);
   void transfer_keys_are_used(const Inspection &);
   void mach_has_a_speed(const Inspection &);
   void fe_cells_are_both_given(const Inspection &);

@@ -98,6 +98,24 @@ namespace scene
     }
   }
 
+  void displacements_are_of_places_at_the_start(const Inspection &in)
+  {
+    for (std::size_t i = 0; i < in.scene().supports.size(); ++i)
+    {
+      const Value *key = in.draft.supports[i]->find("displacement");
+      if (!key || in.errors.about(*key))
+        continue;
+      for (const auto &component : in.scene().supports[i].displacement)
+        if (component && any_expression(*component, [](const Function &f)
+                                        { return f.depends_on_current_position(); }))
+          in.add_error(*key,
+                       "the displacement \"" + component->text +
+                           "\" depends on where the material is, which the displacement itself "
+                           "decides",
+                       "displacements of X, Y and t", "write X and Y: where the material started");
+    }
+  }
+
   void transfer_keys_are_used(const Inspection &in)
   {
     if (!in.scene().mpm || in.errors.about(in.at("mpm")))

@@ -16,19 +16,6 @@ namespace solid
   {
     using Matrix = Eigen::Matrix2d;
 
-    // I + du/dX by central differences; exact for affine motions.
-    Matrix deformation(const Motion &motion, const Point &X, const Point &x, const double t,
-                       const double h)
-    {
-      Matrix F = Matrix::Identity();
-      for (int k = 0; k < 2; ++k)
-      {
-        const Point step = h * Point::Unit(k);
-        F.col(k) += (motion.at(X + step, x, t) - motion.at(X - step, x, t)) / (2. * h);
-      }
-      return F;
-    }
-
     // The region's motion to its point, where no region before it holds the component, and to the
     // nodes around, where nearer points count more; any weights are exact for affine motions.
     void prescribe(DrivenRegion &region, const Motion &motion, const Grid &grid, const Point &X,
@@ -39,8 +26,8 @@ namespace solid
       const int reach = open[0][0] || open[0][1] || open[1][0] || open[1][1] ? 3 : 1;
       const double h = 0.01 * grid.dx;
       const Point from = motion.at(X, x, t), to = motion.at(X, x, t + dt), v = (to - from) / dt;
-      const Matrix back = deformation(motion, X, x, t, h).inverse();
-      const Matrix C = (deformation(motion, X, x, t + dt, h) * back - Matrix::Identity()) / dt;
+      const Matrix back = motion.gradient(X, x, t, h).inverse();
+      const Matrix C = (motion.gradient(X, x, t + dt, h) * back - Matrix::Identity()) / dt;
       for (int c = 0; c < 2; ++c)
         if (motion.holds(c) && point.support[c] < 0)
         {
@@ -110,13 +97,18 @@ namespace solid
         const Prescribed &point = supports.prescribed[p];
         const Point before(points.vx[p], points.vy[p]), &v = point.velocity, pushed = push(p);
         const Matrix stressed = stress(p);
+        Matrix gradient_before;
+        gradient_before << points.lxx[p], points.lxy[p], points.lyx[p], points.lyy[p];
         for (int c = 0; c < 2; ++c)
           if (point.support[c] >= 0)
           {
             Support &support = supports.all[point.support[c]];
             const double impulse = points.mass[p] * (v[c] - before[c]) - pushed[c];
+            const Eigen::RowVector2d strained =
+                0.5 * (point.gradient.row(c) + gradient_before.row(c));
             const double work = 0.5 * points.mass[p] * (v[c] * v[c] - before[c] * before[c]) -
-                                pushed[c] * v[c] + stressed.row(c).dot(point.gradient.row(c));
+                                0.5 * pushed[c] * (v[c] + before[c]) +
+                                stressed.row(c).dot(strained);
             support.impulse[c] += impulse, support.call_impulse[c] += impulse;
             supports.work += work, supports.work_done += std::abs(work);
             supports.speed = std::max(supports.speed, std::abs(v[c]));

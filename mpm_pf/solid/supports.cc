@@ -68,15 +68,6 @@ namespace solid
         pairs.push_back(wanted);
     }
 
-    // Where the material now at x came from, were it moved by the support alone.
-    Point origin(const Motion &motion, const Point &x, const double t)
-    {
-      Point X = x;
-      for (int k = 0; k < 3 && !motion.uniform; ++k)
-        X = x - motion.at(X, x, t);
-      return X;
-    }
-
     /// The velocity of a support that moves as a whole.
     Point velocity_of(const Support *support, const HeldStep &step)
     {
@@ -157,7 +148,7 @@ namespace solid
             {
               Point x{grid.node_x(i), grid.node_y(j)};
               x[line.axis] = line.position;
-              const Point X = origin(support->motion, x, step.t);
+              const Point X = support->motion.origin(x, step.t, grid.dx);
               v = (support->motion.at(X, x, step.end()) - support->motion.at(X, x, step.t)) /
                   step.dt;
             }
@@ -186,7 +177,7 @@ namespace solid
         const Point push = dt * points.mass[p] * acceleration.at(p);
         impulse += points.mass[p] * (velocity - before) - push;
         work += 0.5 * points.mass[p] * (velocity.squaredNorm() - before.squaredNorm()) -
-                push.dot(velocity);
+                0.5 * push.dot(velocity + before);
       }
     };
   } // namespace
@@ -198,10 +189,12 @@ namespace solid
     const double mass = grid.mass[n];
     Velocity &velocity = grid.velocity[n];
     Point now{velocity.x, velocity.y}, impulse = Point::Zero();
+    double work = 0.;
     for (int c = 0; c < 2; ++c)
       if (held[c])
       {
         impulse[c] = mass * (v[c] - now[c]);
+        work += 0.5 * impulse[c] * (v[c] + (mass > 0. ? node.momentum()[c] / mass : v[c]));
         now[c] = v[c];
         if (!grid.change.empty())
           (c == 0 ? grid.change[n].x : grid.change[n].y) =
@@ -212,19 +205,8 @@ namespace solid
     if (!support)
       return;
     support->impulse += impulse, support->call_impulse += impulse;
-    supports.work += impulse.dot(v), supports.work_done += std::abs(impulse.dot(v));
+    supports.work += work, supports.work_done += std::abs(work);
     supports.speed = std::max(supports.speed, v.norm());
-  }
-
-  Point Motion::at(const Point &X, const Point &x, const double t) const
-  {
-    if (driven)
-      return driven->displacement + (t - driven->since) * driven->velocity;
-    Point u = Point::Zero();
-    for (int c = 0; c < 2; ++c)
-      if (displacement[c])
-        u[c] = (*displacement[c])({X, x, t});
-    return u;
   }
 
   void place_supports(Supports &supports, const Tracers &tracers, Grid &grid, const double t)

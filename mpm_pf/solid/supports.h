@@ -19,34 +19,11 @@
 #include <optional>
 #include <string>
 
-#include "scene/expression.h"
+#include "solid/motion.h"
 #include "solid/tracers.h"
 
 namespace solid
 {
-  /// Straight motion given from outside, as that of a wall: displacement + velocity (t - since).
-  struct Driven
-  {
-    Point displacement = Point::Zero(), velocity = Point::Zero();
-    double since = 0.;
-    std::array<bool, 2> holds{true, true};
-  };
-
-  /// Prescribed displacement; an empty component is free.
-  struct Motion
-  {
-    std::array<std::optional<scene::Function>, 2> displacement;
-    bool uniform = true;          // depends on time only
-    std::optional<Driven> driven; // instead of the two
-
-    bool holds(const int component) const
-    {
-      return driven ? driven->holds[component] : displacement[component].has_value();
-    }
-    /// Free components are 0.
-    Point at(const Point &X, const Point &x, double t) const;
-  };
-
   struct Solid; // body.h
 
   struct Support

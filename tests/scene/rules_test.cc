@@ -49,6 +49,8 @@ reaction = "top"
       {"support_of_nothing", with(bar, "[\"0.4*t\", 0]", "[\"free\", \"free\"]"), "displacement",
        "holds nothing"},
       {"support_that_jumps", with(bar, "\"0.4*t\"", "\"0.4\""), "displacement", "start"},
+      {"support_of_current_places", with(bar, "\"0.4*t\"", "\"0.4*t*x\""), "displacement",
+       "write X and Y"},
       {"competing_supports",
        plus(bar, "[[support]]\nname = \"lid\"\non = \"top\"\ndisplacement = [0, \"free\"]\n"),
        "[[support]]\nname", "same component"},

@@ -104,3 +104,32 @@ TEST(Edges, ThatPartFromTheirMaterialStopTheRun)
         << trouble.what();
   }
 }
+
+// Two edges that are stretched along themselves to 2.5 times their length, where x - u(x) leads
+// away from where the material started: each node is held by the motion of its own material.
+TEST(Edge, StretchedAlongItselfCarriesItsMaterial)
+{
+  scene::Scene scene = small::rectangle({1.5, 0.2}, {1., 0.5}, {4., 1.}, {40, 10});
+  scene.solid->poisson_ratio = 0.;
+  scene.mpm->points_per_cell = {4, 4};
+  for (const scene::Edge side : {scene::Edge::bottom, scene::Edge::top})
+    small::hold(scene, side == scene::Edge::top ? "top" : "bottom", side,
+                "1.5*smooth(t, 4)*(X - 2)", "0");
+  small::hold(scene, "left", scene::Edge::left, "-0.75*smooth(t, 4)", "0");
+  small::hold(scene, "right", scene::Edge::right, "0.75*smooth(t, 4)", "0");
+  const solid::Owner block = solid::make_solid(scene);
+  solid::advance(*block, 4.5);
+  const double exact = 1000. * std::log(2.5); // sigma_xx of Hooke's law for rates, nu = 0
+  const record::Snapshot points = solid::snapshot(*block, {"stress_xx"});
+  const auto &stress = points.fields.at("stress_xx");
+  double sum = 0.;
+  for (const double s : stress)
+    sum += s;
+  EXPECT_NEAR(sum / static_cast<double>(stress.size()), exact, 0.02 * exact);
+  double lower = 1e9, upper = -1e9;
+  for (const scene::Polyline &line : solid::material_outline(*block))
+    for (const scene::Point &x : line)
+      lower = std::min(lower, x[0]), upper = std::max(upper, x[0]);
+  EXPECT_NEAR(lower, 0.75, 0.01);
+  EXPECT_NEAR(upper, 3.25, 0.01);
+}
