@@ -131,13 +131,14 @@ namespace solid
     if (stress_first)
       stresses_first(solid, dt);
     points_to_nodes(solid);
+    add_body_force_work(solid.loads, solid.points, 0.5 * dt); // half with the velocities before,
     nodes(solid, dt);
     {
       const record::PartTimer timer = record::time_part(solid.spent, "nodes to points");
       nodes_to_points(solid, dt, stress_first ? Part::motion : Part::all);
     }
     move_held_points(solid, dt);
-    add_body_force_work(solid.loads, solid.points, dt);
+    add_body_force_work(solid.loads, solid.points, 0.5 * dt); // half with those after
     solid.time += dt;
     ++solid.steps;
     check_state(solid, dt);

@@ -159,7 +159,9 @@ namespace solid
         const double impulse = mass * v - (grid.mass[n] * velocity - part.momentum - part.impulse);
         Support &support = supports.all[region.support];
         support.impulse[c] += impulse, support.call_impulse[c] += impulse;
-        supports.work += impulse * v, supports.work_done += std::abs(impulse * v);
+        const double before = mass > 0. ? (grid.nodes[n].momentum()[c] - part.momentum) / mass : v;
+        const double work = 0.5 * impulse * (v + before);
+        supports.work += work, supports.work_done += std::abs(work);
       }
       if (!grid.change.empty())
         (c == 0 ? grid.change[n].x : grid.change[n].y) =

@@ -5,12 +5,11 @@
 // Of what supports and loads work, and what was there at the start, part is kinetic energy now,
 // part was work of the stresses on the strains, sum V (sigma + d sigma/2) : d eps. The rest is the
 // numerical dissipation of the transfers, transfer_loss: points take smoothed velocities from the
-// nodes, and give them smoothed once more; light nodes are held back (light_nodes.h). It is that of
-// a whole step: the forces of its start on the velocities of its end work 1/2 sum m dv^2 too much
-// on the nodes, and the stresses, which change and turn meanwhile, take that much more (symplectic
-// Euler), so over an oscillation or a revolution neither is lost. Node by node the same comes out,
-//   sum v.(m v - p) - sum V sigma : dt grad v - (gain of the points' kinetic energy) - ...,
-// with the momentum p as the points brought it, to 1e-8 of the energy of a cantilever.
+// nodes, and give them smoothed once more; light nodes are held back (light_nodes.h). Forces of a
+// step's start work on the mean of the velocities before and after it, and stresses of that mean on
+// the strains: over an oscillation or a revolution neither gains nor loses. (On the velocity after
+// it a force F works 1/2 dt^2 dF/dt.v too little a step, always of one sign where a force keeps up
+// with a motion.)
 //
 // The balance, that work of the stresses less elastic energy gained and dissipated, is what remains
 // unaccounted for: pressures relaxed and strains averaged (anti_locking.h: 0.5 % of a crystal's

@@ -186,7 +186,10 @@ namespace solid
     for (const Loads::NodalForce &push : loads.nodal_forces)
     {
       const Velocity &v = grid.velocity[push.node];
-      const double work = dt * (push.force[0] * v.x + push.force[1] * v.y);
+      const double mass = grid.mass[push.node];
+      const Point after(v.x, v.y);
+      const Point before = mass > 0. ? Point(grid.nodes[push.node].momentum() / mass) : after;
+      const double work = 0.5 * dt * push.force.dot(before + after);
       loads.work += work, loads.work_done += std::abs(work);
     }
   }

@@ -52,8 +52,8 @@ namespace solid
   /// Add the tractions at the solid's time to the nodal forces.
   void apply_tractions(Solid &);
 
-  /// Add the work of tractions over dt with the new nodal velocities.
+  /// Add the work of tractions over dt, with the mean of the nodes' velocities before and after.
   void add_traction_work(Loads &, const Grid &, double dt);
-  /// Add the work of body forces over dt with the points' new velocities.
+  /// Add the work of body forces over dt with the points' velocities as they are now.
   void add_body_force_work(Loads &, const Points &, double dt);
 } // namespace solid

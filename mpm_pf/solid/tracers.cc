@@ -25,8 +25,8 @@ namespace solid
         !grid.has(i + 1, j - 1) || !grid.has(i, j))
       return Point::Zero();
     const Stencil s = stencil(scheme, grid, table, x);
-    Point sum = Point::Zero();
-    double weight = 0.;
+    Point brought = Point::Zero(), pushed = Point::Zero();
+    double weight = 0., mass = 0.;
     for (int b = 0; b < 3; ++b)
       for (int a = 0; a < 3; ++a)
       {
@@ -34,10 +34,12 @@ namespace solid
         if (grid.mass[n] <= 0.)
           continue;
         const double w = s.x.w[a] * s.y.w[b];
-        sum += w / grid.mass[n] * grid.nodes[n].momentum();
-        weight += w;
+        const Point momentum = grid.nodes[n].momentum();
+        brought += w / grid.mass[n] * momentum;
+        pushed += w * (grid.mass[n] * Point(grid.velocity[n].x, grid.velocity[n].y) - momentum);
+        weight += w, mass += w * grid.mass[n];
       }
-    return weight > 1e-9 ? Point(sum / weight) : Point(0., 0.);
+    return weight > 1e-9 ? Point(brought / weight + pushed / mass) : Point(0., 0.);
   }
 
   void move(Tracers &tracers, const Scheme &scheme, const Grid &grid, const FoldTable &table,

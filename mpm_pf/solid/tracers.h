@@ -1,9 +1,10 @@
 // Massless points on the first outline: where the surface of the material is.
 //
 // They are carried by the transferred nodal velocity before forces, p_i/m_i, which extends a linear
-// field of the points beyond them; the velocity after forces is of no use there, since the lightest
-// nodes take the largest accelerations. Chords longer than a cell are halved. They mark the held
-// and loaded parts of the outline, too.
+// field of the points beyond them, and by the acceleration of the mass around: the velocity after
+// forces is of no use there, since the lightest nodes take the largest accelerations, and without
+// them the outline of a body that turns would spiral away from its points. Chords longer than a
+// cell are halved. They mark the held and loaded parts of the outline, too.
 #pragma once
 
 #include <algorithm>
@@ -35,8 +36,8 @@ namespace solid
   /// On the outline of the bodies, cut at the symmetry sides of the domain.
   Tracers make_tracers(const std::vector<scene::Body> &, const scene::Domain &, double spacing);
 
-  /// Interpolated transferred velocity at x; nodes without mass are left out. Zero far from
-  /// material.
+  /// Interpolated transferred velocity at x, nodes without mass left out, and what forces and
+  /// supports add to it, as a mean by mass. Zero far from material.
   Point transferred_velocity(const Scheme &, const Grid &, const FoldTable &, const Point &x);
 
   /// Carry the free tracers by dt.

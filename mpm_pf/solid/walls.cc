@@ -164,9 +164,10 @@ namespace solid
         if ((x[p] - wall) * line.side < 0.)
         {
           const double impulse = points.mass[p] * (v - velocity[p]);
+          const double work = 0.5 * impulse * (v + velocity[p]);
           x[p] = before, velocity[p] = v;
           support.impulse[line.axis] += impulse, support.call_impulse[line.axis] += impulse;
-          solid.supports.work += impulse * v, solid.supports.work_done += std::abs(impulse * v);
+          solid.supports.work += work, solid.supports.work_done += std::abs(work);
         }
     }
   }
