@@ -7,7 +7,7 @@ namespace fe
   {
     const Increment increment = decompose(f);
     const Vector4 rotated = rotate(old_stress, increment.angle);
-    const Vector4 trial = rotated + elastic_stress(material, increment.stretch); // Eq. (4)
+    const Vector4 trial = rotated + elastic_stress(material, increment.stretch); // Hooke
     const ReturnMappingResult returned = return_to_yield(material, trial, dt);
 
     Matrix4 derivative = 2. * material.shear_modulus * increment.stretch_derivative;

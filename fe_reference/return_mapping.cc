@@ -39,7 +39,7 @@ namespace fe
 
   Vector4 elastic_stress(const Material &material, const Vector4 &strain)
   {
-    // Eq. (4): Hooke's law for the elastic part.
+    // Hooke's law for the elastic part, isotropic; the paper gives it no number (Sec. 2.2).
     const double pressure = material.lame * (strain[xx] + strain[yy] + strain[zz]);
     return 2. * material.shear_modulus * strain + Vector4(pressure, pressure, pressure, 0.);
   }
@@ -60,16 +60,16 @@ namespace fe
       return result;
     const Vector4 s = deviator(trial);
     const double q = std::sqrt(1.5 * norm_squared(s));
-    const double f = q - *material.yield_stress; // Eq. (6)
+    const double f = q - *material.yield_stress; // f_Y of Eq. (6)
     if (f <= 0.)
       return result;
 
     const double three_g = 3. * material.shear_modulus;
     const double stiffness = three_g + (material.viscosity > 0. ? material.viscosity / dt : 0.);
-    result.plastic_increment = f / stiffness; // Eq. (5), backward Euler
+    result.plastic_increment = f / stiffness; // gamma dt of Eq. (6), backward Euler
     const double shrink = 1. - three_g * result.plastic_increment / q;
     const double p = mean_stress(trial);
-    result.stress = shrink * s + Vector4(p, p, p, 0.);
+    result.stress = shrink * s + Vector4(p, p, p, 0.); // Eq. (5): along s
 
     // ds = shrink ds_trial + s_trial dshrink,  dq = (3/2) s : ds_trial / q.
     const double dshrink = three_g / q * (result.plastic_increment / q - 1. / stiffness);

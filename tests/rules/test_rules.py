@@ -8,6 +8,7 @@ from pathlib import Path
 from unittest import mock
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
+import check_equations
 import check_headers
 import check_includes
 import check_paths
@@ -63,6 +64,28 @@ class PathsAndHeaders(unittest.TestCase):
     def test_headers_open_with_words(self):
         self.assertTrue(offenders(check_headers, "a.h", "#pragma once\n"))
         self.assertFalse(offenders(check_headers, "a.h", "// What this file is about.\n#pragma once\n"))
+
+
+class Equations(unittest.TestCase):
+    def cited(self, text):
+        with mock.patch.object(tree, "read", return_value=text):
+            return [int(equation) for equation, _ in check_equations.citations_in(Path("mpm_pf/solid/a.cc"))]
+
+    def test_count_where_they_are_computed(self):
+        self.assertEqual(self.cited("  v += dt * force / mass; // Eq. (4)\n"), [4])
+        self.assertEqual(self.cited("  // Eqs. (5) and (6), closed form\n  s *= 1. - g / q;\n"), [5, 6])
+        self.assertEqual(self.cited("/// Eq. (3), spin\nstruct Spin\n{\n  double at() { return a * x; }\n};\n"), [3])
+
+    def test_in_a_banner_or_beside_what_computes_nothing_do_not_count(self):
+        for text in (
+            "// The solid: Eqs. (4)-(6), a - b.\n#pragma once\n\nint i = a * b;\n",
+            "/// The step of Eq. (4).\nvoid step(World &w, double *dt);\n",
+            "  std::size_t active = 0; // these move by Eq. (4)\n",
+            "  move(w, dt); // Eqs. (4)-(6), as a - b\n",
+            '  say("a - b, Eq. (6)"); // no equation\n',
+            '  say("a - b"); // Eq. (6)\n',
+        ):
+            self.assertEqual(self.cited(text), [], text)
 
 
 class Skipping(unittest.TestCase):
