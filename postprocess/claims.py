@@ -10,6 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 import compression
+import record
 
 
 @dataclass
@@ -27,24 +28,34 @@ def judge(sentence, seen, measured, because="", applies=True):
     return Claim(sentence, "seen" if seen else why, measured)
 
 
+def scales_of(run):
+    """W0 and sigma_Y in the units of the record, whichever they are; fails where its scene has no such thing."""
+    scene = run.scene
+    width, limit = scene.get("phase_field", {}).get("width"), scene.get("solid", {}).get("yield_stress")
+    if not width or not limit:
+        raise record.Missing(f"{run.label}: lengths are judged in W0 and stresses in sigma_Y, and its scene lacks phase_field.width or solid.yield_stress")
+    return float(width), float(limit)
+
+
 class Compressed:
-    """A compressed dendrite at one compression: its points and, on the grid, its crystal angle (degrees)."""
+    """A compressed dendrite at one compression: its points and, on the grid, its crystal angle (degrees). Lengths in W0, stresses in sigma_Y."""
 
     def __init__(self, run, share):
         self.share = share
+        length, stress = scales_of(run)
         time = compression.time_of(run, share)
         solid = compression.nearest_snapshot(run, "von_mises", time, "points")
         lower = np.array(run.scene["domain"].get("origin", [0.0, 0.0]))
         size = np.array(run.scene["domain"]["size"])
         middle = lower if compression.is_quarter(run) else lower + size / 2
-        self.x, self.y = np.abs(solid.vertex - middle).T  # one quarter stands for all
-        self.von_mises, self.plastic = solid.fields["von_mises"], solid.fields["plastic_strain"]
+        self.x, self.y = np.abs(solid.vertex - middle).T / length  # one quarter stands for all
+        self.von_mises, self.plastic = solid.fields["von_mises"] / stress, solid.fields["plastic_strain"]
         melt = compression.nearest_snapshot(run, "phi", time, "grid")
-        self.gx, self.gy = np.meshgrid(melt.x - middle[0], melt.y - middle[1])
+        self.gx, self.gy = np.meshgrid((melt.x - middle[0]) / length, (melt.y - middle[1]) / length)
         self.inside = melt.fields["phi"] > 0
         angle = melt.fields.get("crystal_angle")
         self.angle = np.zeros_like(self.gx) if angle is None else np.degrees(np.where(self.inside, angle, 0.0))
-        self.spacing = melt.x[1] - melt.x[0]
+        self.spacing = (melt.x[1] - melt.x[0]) / length
         self.wall = self.y.max()
 
     def where(self, condition, value):
@@ -192,12 +203,13 @@ def of_turning(last):
 
 
 def ahead_of(free, run):
-    """How far the horizontal tip is beyond that of the same growth without compression, at 5, 10 and 15 %."""
+    """How far the horizontal tip is beyond that of the same growth without compression, at 5, 10 and 15 %; in W0."""
     if free is None:
         return []
     times = [compression.time_of(run, share) for share in (0.05, 0.10, 0.15)]
     tips, others = run.table("tip"), free.table("tip")
-    return [float(np.interp(t, tips.time, tips["position"]) - np.interp(t, others.time, others["position"])) for t in times]
+    length, _ = scales_of(run)
+    return [float(np.interp(t, tips.time, tips["position"]) - np.interp(t, others.time, others["position"])) / length for t in times]
 
 
 def markdown(claims):

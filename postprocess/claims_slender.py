@@ -3,7 +3,7 @@
 import numpy as np
 
 import compression
-from claims import Claim, Compressed, judge, listed
+from claims import Claim, Compressed, judge, listed, scales_of
 
 
 def half_widths(curves, middle, levels):
@@ -41,9 +41,11 @@ def of_shape(run, free, states):
     lower = np.array(run.scene["domain"].get("origin", [0.0, 0.0]))
     middle = lower if compression.is_quarter(run) else lower + size / 2
 
+    length, _ = scales_of(run)
+
     def widths(which, share, at):
         curves = compression.nearest_outline(which, "contour", compression.time_of(run, share))
-        return half_widths(curves, middle, at)
+        return half_widths([curve / length for curve in curves], middle / length, at)
 
     height = contact.wall
     levels = np.linspace(0.1, 0.9, 33) * height

@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """Sentences of Sec. 3 are judged as the records deserve, and asymmetry is measured where it is."""
 
+import json
 import pathlib
 import subprocess
 import sys
@@ -25,6 +26,26 @@ import claims  # noqa: E402
 import claims_slender  # noqa: E402
 import record  # noqa: E402
 import synthetic  # noqa: E402
+
+
+def to_metres_and_pascals(path, limit="yield_stress = 5e6"):
+    """Rewrites a record in units W0, tau0, sigma_Y as one with W0 = 1e-6 m and sigma_Y = 5 MPa (tau0 = 1 s)."""
+
+    def rescale(name, item):
+        last = name.split("/")[-1]
+        if isinstance(item, h5py.Dataset) and (last in ("x", "y", "vertex") or name == "tables/tip/values"):
+            item[...] = 1e-6 * item[...]
+        if last == "von_mises":
+            item[...] = 5e6 * item[...]
+
+    with h5py.File(path, "r+") as file:
+        file.visititems(rescale)
+        text = file["provenance/scene"].asstr()[()]
+        text = text.replace('system = "W0-tau0-sigmaY"', 'system = "SI"').replace("yield_stress  = 1.0", limit).replace("width = 1.0", "width = 1e-6")
+        for one in ("[240.0, 160.0]", "[480.0, 320.0]", "[-240.0, -160.0]"):
+            text = text.replace(one, str([1e-6 * x for x in json.loads(one)]))
+        del file["provenance/scene"]
+        file["provenance/scene"] = text
 
 
 class Verdicts(unittest.TestCase):
@@ -77,6 +98,23 @@ class Verdicts(unittest.TestCase):
         self.assertIn(  # the invented strain goes with the compression: twice at 30 % what it is at 15 %
             "times as large, at twice the compression", found["plastic strains and angle changes are much larger than in Fig. 12"]
         )
+
+    def test_do_not_depend_on_the_units_of_the_record(self):
+        for measure in (claims.of_figure12, claims_slender.of_figures13_to_15):
+            with tempfile.TemporaryDirectory() as folder:
+                synthetic.compressed(folder, carried=30.0)
+                dimensionless = measure(record.Results(folder))
+                for path in pathlib.Path(folder).rglob("*.h5"):
+                    to_metres_and_pascals(path)
+                self.assertEqual([c.found for c in measure(record.Results(folder))], [c.found for c in dimensionless])
+                self.assertEqual([c.measured for c in measure(record.Results(folder))], [c.measured for c in dimensionless])
+
+    def test_are_refused_without_a_yield_stress(self):
+        with tempfile.TemporaryDirectory() as folder:
+            synthetic.compressed(folder)
+            to_metres_and_pascals(pathlib.Path(folder) / "compress_dendrite" / "scene" / "mpm_pf.h5", "")
+            with self.assertRaisesRegex(record.Missing, "yield_stress"):
+                claims.of_figure12(record.Results(folder))
 
     def test_are_printed_as_the_table_of_a_readme(self):
         with tempfile.TemporaryDirectory() as folder:
