@@ -142,9 +142,10 @@ namespace verify
               {"reference", number_or_null(v.reference)}};
     json["drift"] = {{"accepted", number_or_null(v.drift.accepted)},
                      {"tolerance", v.drift.tolerance},
-                     {"status", !v.drift.accepted ? "none"
-                                : v.drift.drifted ? "drift"
-                                                  : "same"}};
+                     {"status", v.drift.unknown     ? "no accepted value"
+                                : !v.drift.accepted ? "none"
+                                : v.drift.drifted   ? "drift"
+                                                    : "same"}};
     if (!v.h.empty())
       json["order"] = {{"h", v.h}, {"error", v.errors}};
     if (v.status != Status::pass)

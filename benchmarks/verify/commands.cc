@@ -39,12 +39,14 @@ namespace verify
         if (v.drift.drifted)
           fmt::print("{:15}drift: accepted {:.6g}, tolerance {:.2g}\n", "", *v.drift.accepted,
                      v.drift.tolerance);
+        if (v.drift.unknown && v.status == Status::pass)
+          fmt::print("{:15}no accepted value to drift from: see --accept\n", "");
       }
     }
 
     void print_sum(const Campaign &campaign, const Paths &paths)
     {
-      int passed = 0, failed = 0, drifted = 0, forecasts = 0;
+      int passed = 0, failed = 0, drifted = 0, unknown = 0, forecasts = 0;
       double cpu = 0.;
       for (const auto &result : campaign.cases)
       {
@@ -53,6 +55,7 @@ namespace verify
         {
           (v.status == Status::pass ? passed : failed) += 1;
           drifted += v.drift.drifted ? 1 : 0;
+          unknown += v.drift.unknown && v.status == Status::pass ? 1 : 0;
           forecasts += is_forecast(v) ? 1 : 0;
           bad |= v.status != Status::pass;
         }
@@ -65,6 +68,8 @@ namespace verify
           fmt::print("repeat {} with: {}\n", result.c.name,
                      repeat_case(paths, result.c, campaign.options.output));
       }
+      if (unknown > 0)
+        fmt::print("\n{} checks passed without an accepted value to drift from", unknown);
       fmt::print(
           "\n{} checks passed, {} failed, {} drifted ({} of all are forecasts); {:.1f} s wall, "
           "{:.1f} s CPU; exit code {}\n",

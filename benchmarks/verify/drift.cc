@@ -53,6 +53,7 @@ namespace verify
     for (auto &verdict : verdicts)
     {
       const auto found = values.find(verdict.check.name);
+      verdict.drift.unknown = found == values.end() && verdict.value;
       if (found == values.end() || !verdict.value)
         continue;
       const double limit = std::max(std::abs(verdict.check.low), std::abs(verdict.check.high));
@@ -70,10 +71,13 @@ namespace verify
     std::map<std::string, Values> all;
     for (const char *suite : {"smoke", "quick", "full"})
       all[suite] = accepted_values(c, suite);
-    all[c.suite].clear();
+    Values kept; // what did not pass, or had no program or reference here, keeps its old value
     for (const auto &verdict : verdicts)
-      if (verdict.status == Status::pass)
-        all[c.suite][verdict.check.name] = *verdict.value;
+      if (const auto old = all[c.suite].find(verdict.check.name); verdict.status == Status::pass)
+        kept[verdict.check.name] = *verdict.value;
+      else if (old != all[c.suite].end())
+        kept.insert(*old);
+    all[c.suite] = kept;
     std::string file =
         "# Last accepted values of the checks, written by `verify run --accept`; a change is "
         "reported as drift.\n";

@@ -13,7 +13,8 @@ namespace verify
   /// BadInput.
   void compare_with_accepted(std::vector<Verdict> &, const Case &);
 
-  /// Writes the values of all verdicts that passed as the accepted ones of this suite; other suites
-  /// stay.
+  /// Writes the values of all verdicts that passed as the accepted ones of this suite. A check that
+  /// did not pass keeps its old value (a machine without fe_reference accepts none of its own), one
+  /// that is no longer among the verdicts loses it; other suites stay. Throws BadInput.
   void accept(const std::vector<Verdict> &, const Case &);
 } // namespace verify

@@ -26,6 +26,7 @@ namespace verify
     std::optional<double> accepted;
     double tolerance = 0.;
     bool drifted = false;
+    bool unknown = false; // it has a value and nothing that this could have drifted from
   };
 
   struct Verdict

@@ -90,6 +90,20 @@ class Pictures(unittest.TestCase):
         self.assertNotIn("outside", report_extremes.page({"maps": [MAP]}))
 
 
+CHECK = {"name": "c", "status": "pass", "take": "t", "against": "", "norm": "value", "value": 1.0, "limit": [0, 2], "unit": "-", "source": "s", "reason": "r"}
+CHECK |= {"why": "", "uncertainty": None, "uncertainty_text": "", "taken": None, "reference": None, "drift": {"status": "none", "accepted": None}}
+
+
+def page_of(case):
+    """The report of a campaign of this one case."""
+    campaign = {"suite": "quick", "started": "", "wall_s": 1.0, "exit_code": 0, "cores": 1, "jobs": 1, "cases": [case], "provenance": {}}
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        (folder / "campaign.json").write_text(json.dumps(campaign))
+        report.write(folder)
+        return (folder / "index.html").read_text()
+
+
 class Page(unittest.TestCase):
     def test_what_failed_is_named_case_by_case(self):
         checks = [{"name": name, "status": "missing"} for name in "abcde"] + [{"name": "f", "status": "pass"}]
@@ -105,19 +119,19 @@ class Page(unittest.TestCase):
             self.assertEqual(report.left_over(folder, {"cases": [{"case": "new"}]}), [("old", 1, 2)])
 
     def test_a_run_says_under_the_runs_whether_its_inertia_shows(self):
-        check = {"name": "c", "status": "pass", "take": "t", "against": "", "norm": "value", "value": 1.0, "limit": [0, 2], "unit": "-", "source": "s", "reason": "r"}
-        check |= {"why": "", "uncertainty": None, "uncertainty_text": "", "taken": None, "reference": None, "drift": {"status": "none", "accepted": None}}
         run = {"name": "pressed", "status": "complete", "wall_s": 1.0, "cpu_s": 1.0, "peak_rss_bytes": 1e6, "steps": 1, "cells": 1, "points": 1, "build_type": "Release"}
         run |= {"solver": "mpm_pf", "repeat": "again", "inertia": "inertia alone takes 2 % of compression to stop an arm: not quasi-static"}
-        case = {"case": "bar", "title": "", "about": "", "scene": "quick.toml", "checks": [check], "runs": [run, {**run, "name": "free", "inertia": ""}]}
-        campaign = {"suite": "quick", "started": "", "wall_s": 1.0, "exit_code": 0, "cores": 1, "jobs": 1, "cases": [case], "provenance": {}}
-        with tempfile.TemporaryDirectory() as name:
-            folder = pathlib.Path(name)
-            (folder / "campaign.json").write_text(json.dumps(campaign))
-            report.write(folder)
-            page = (folder / "index.html").read_text()
+        case = {"case": "bar", "title": "", "about": "", "scene": "quick.toml", "checks": [CHECK], "runs": [run, {**run, "name": "free", "inertia": ""}]}
+        page = page_of(case)
         self.assertIn("<b>pressed</b>: inertia alone takes 2 % of compression to stop an arm: not quasi-static", page)
         self.assertNotIn("<b>free</b>", page)
+
+    def test_says_which_check_has_nothing_to_drift_from(self):
+        case = {"case": "bar", "title": "", "about": "", "scene": "quick.toml", "checks": [CHECK], "runs": []}
+        self.assertNotIn("no accepted value", page_of(case))
+        new = {**CHECK, "drift": {"status": "no accepted value", "accepted": None}}
+        self.assertIn("no accepted value", page_of({**case, "checks": [new]}))
+        self.assertNotIn("no accepted value", page_of({**case, "checks": [{**new, "status": "fail"}]}))
 
     def test_says_nothing_of_a_verdict_where_nothing_was_judged(self):
         with tempfile.TemporaryDirectory() as name:

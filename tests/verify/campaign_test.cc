@@ -219,38 +219,6 @@ TEST(Campaign, MeasuresAnOrderAndTheUncertaintyOfBothCodes)
   EXPECT_NEAR(*campaign.cases[0].verdicts[1].uncertainty, 1.25 * std::hypot(1e-2, 1e-3), 1e-6);
 }
 
-namespace
-{
-  /// Makes what a run with this setting gives the accepted values.
-  void accept(const Workspace &w, const std::string &set, const std::string &check)
-  {
-    w.write("cases/bar/expect.toml", "title = \"bar\"\n" + run_with(set) + check);
-    auto options = w.options();
-    options.accept = true;
-    EXPECT_EQ(run_campaign(options, w.paths()).exit_code, 0);
-  }
-} // namespace
-
-TEST(Campaign, ReportsDriftApartFromTheVerdict)
-{
-  const Workspace w;
-  const std::string c = check("number = \"largest\"", "{number = 1}", "relative", "0.5");
-  accept(w, "\"fake.error=0.1\"", c);
-  EXPECT_EQ(w.run(run_with("\"fake.error=0.1\"") + c).exit_code, 0);
-  const auto drifted = w.run(run_with("\"fake.error=0.12\"") + c);
-  EXPECT_EQ(only(drifted).status, Status::pass);
-  EXPECT_EQ(drifted.exit_code, 5);
-}
-
-TEST(Campaign, CallsRoundOffThatMovesNoDrift)
-{
-  const Workspace w;
-  const std::string c = check("number = \"largest\"", "{number = 1}", "relative", "1e-10");
-  accept(w, "\"fake.error=1e-12\"", c);
-  EXPECT_EQ(w.run(run_with("\"fake.error=3e-12\"") + c).exit_code, 0);
-  EXPECT_EQ(w.run(run_with("\"fake.error=3e-11\"") + c).exit_code, 5);
-}
-
 TEST(Campaign, RunsWhatNeedsAnotherRunAfterIt)
 {
   const Workspace w;
