@@ -135,6 +135,18 @@ TEST(Campaign, TakesNothingWholeOfAHistoryThatStopsBeforeTheClock)
   EXPECT_EQ(only(w.run(run_with("\"fake.short=0.7\"") + stretch)).status, Status::pass);
 }
 
+TEST(Campaign, LetsOnlyWallsThatMoveEndARunBeforeTheClock)
+{
+  const Workspace w;
+  const std::string end =
+      check("table = \"history\", of = \"force\", at = \"end\"", "\"zero\"", "absolute", "9");
+  const auto status = [&](const std::string &wall)
+  { return only(w.run(run_with("\"fake.short=0.7\", " + wall) + end)).status; };
+  EXPECT_EQ(status("\"fake.wall_travel=0.5\", \"fake.wall_speed=2\""), Status::pass);
+  EXPECT_EQ(status("\"fake.wall_travel=0\", \"fake.wall_speed=0\""), Status::missing);
+  EXPECT_EQ(status("\"fake.wall_travel=0.5\", \"fake.wall_speed=0\""), Status::missing);
+}
+
 TEST(Campaign, ExitCodesTellBadInputDivergenceAndMissingReferencesApart)
 {
   const Workspace w;

@@ -6,6 +6,8 @@
 //   exit              this exit code instead of a record
 //   sleep             seconds of waiting;  burn: seconds of CPU time
 //   short             the history ends at this time instead of 1
+//   wall_travel       the scene has a wall with this travel, and the speed of the next
+//   wall_speed
 //   nan               1: the line probe holds an infinite value
 //   predicted          seconds that --plan forecasts instead of what will be burnt
 //   skew              the outline is a parallelogram about the origin, sheared by this
@@ -34,10 +36,11 @@ namespace
 
   Settings settings_of(const record::CommandLine &command)
   {
-    Settings settings{{"error", 0.},  {"order", 2.},     {"h", 1.},     {"exit", 0.},
-                      {"sleep", 0.},  {"burn", 0.},      {"short", 1.}, {"nan", 0.},
-                      {"growth", 0.}, {"predicted", 0.}, {"hole", -1.}, {"skew", 0.},
-                      {"bytes", 0.},  {"troubled", 0.}};
+    Settings settings{
+        {"error", 0.},     {"order", 2.}, {"h", 1.},     {"exit", 0.},     {"sleep", 0.},
+        {"burn", 0.},      {"short", 1.}, {"nan", 0.},   {"growth", 0.},   {"predicted", 0.},
+        {"hole", -1.},     {"skew", 0.},  {"bytes", 0.}, {"troubled", 0.}, {"wall_travel", -1.},
+        {"wall_speed", 0.}};
     for (const auto &text : command.overrides)
       if (const auto equal = text.find('='); text.rfind("fake.", 0) == 0 && equal + 1 < text.size())
         settings[text.substr(5, equal - 5)] = std::strtod(text.c_str() + equal + 1, nullptr);
@@ -128,6 +131,9 @@ int main(int argc, char **argv)
   scene::Scene scene;
   scene.file = command.scene;
   scene.text = "title = \"fake\"\n[clock]\nend = 1.0\n";
+  if (s.at("wall_travel") >= 0.)
+    scene.text += "[[wall]]\nside = \"top\"\ntravel = " + std::to_string(s.at("wall_travel")) +
+                  "\nspeed = " + std::to_string(s.at("wall_speed")) + "\n";
   record::Writer writer(command.record_path(), record::collect_provenance(name, command.joined, 1),
                         scene, command.force);
   write(writer, s);
