@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace verify
 {
@@ -11,6 +12,9 @@ namespace verify
     const std::vector<std::string> reductions{"max",   "min",      "max_abs", "mean",
                                               "rms",   "first",    "last",    "range",
                                               "slope", "integral", "ripple"};
+    const std::vector<std::string> of_outlines{"polygon", "area",      "perimeter", "side",
+                                               "reach",   "extreme_x", "extreme_y"};
+    const std::vector<std::string> sides{"left", "right", "bottom", "top"};
     const std::vector<std::pair<std::string, Take::Kind>> kinds{
         {"table", Take::Kind::table},     {"line", Take::Kind::line},
         {"outline", Take::Kind::outline}, {"snapshot", Take::Kind::snapshot},
@@ -54,6 +58,26 @@ namespace verify
         }
     }
 
+    bool any_of(const std::vector<std::string> &words, const std::string &word)
+    {
+      return std::find(words.begin(), words.end(), word) != words.end();
+    }
+
+    void check_outline(Section &section, const Take &take)
+    {
+      if (take.of == "side" && (take.side.empty() || take.x.empty() == take.y.empty()))
+        section.add_error("", "a side position needs side = \"left\" or \"right\" and y, or "
+                              "side = \"top\" or \"bottom\" and x");
+      if (take.of.rfind("extreme_", 0) == 0 && take.side.empty())
+        section.add_error("", "an extreme needs side = \"left\", \"right\", \"bottom\" or \"top\"");
+      if (!take.of.empty() && !any_of(of_outlines, take.of))
+        section.add_error("of", fmt::format("an outline has no `{}`", take.of),
+                          fmt::format("one of {}", fmt::join(of_outlines, ", ")));
+      if (!take.side.empty() && !any_of(sides, take.side))
+        section.add_error("side", fmt::format("no such side: `{}`", take.side),
+                          fmt::format("one of {}", fmt::join(sides, ", ")));
+    }
+
     void check_needs(Section &section, const Take &take)
     {
       using Kind = Take::Kind;
@@ -68,19 +92,14 @@ namespace verify
       if (take.of.empty() &&
           (take.kind == Kind::table || take.kind == Kind::line || take.kind == Kind::snapshot))
         section.add_error("", "the take does not say which quantity: `of` is missing");
-      if (take.kind == Kind::outline && take.of == "side" &&
-          (take.side.empty() || take.x.empty() == take.y.empty()))
-        section.add_error("", "a side position needs side = \"left\" or \"right\" and y, or "
-                              "side = \"top\" or \"bottom\" and x");
-      if (take.kind == Kind::outline && take.of.rfind("extreme_", 0) == 0 && take.side.empty())
-        section.add_error("", "an extreme needs side = \"left\", \"right\", \"bottom\" or \"top\"");
+      if (take.kind == Kind::outline)
+        check_outline(section, take);
       if (!take.mirror.empty() && take.mirror != "x" && take.mirror != "y" && take.mirror != "none")
         section.add_error("mirror", fmt::format("no such mirror: `{}`", take.mirror),
                           "\"x\" (x -> -x), \"y\" (y -> -y) or \"none\"");
       if (!take.mirror.empty() && take.kind != Kind::outline)
         section.add_error("mirror", "only an outline has a mirror image");
-      if (!take.reduce.empty() &&
-          std::find(reductions.begin(), reductions.end(), take.reduce) == reductions.end())
+      if (!take.reduce.empty() && !any_of(reductions, take.reduce))
         section.add_error("reduce", fmt::format("no such reduction: `{}`", take.reduce));
       if (!take.between.empty() && take.between.size() != 2)
         section.add_error("between", "`between` is [from, to]");

@@ -77,6 +77,23 @@ TEST(Expectations, NameTheMirrorsThatThereAre)
   EXPECT_NE(told("number = \"n\", mirror = \"x\"").find("only an outline"), std::string::npos);
 }
 
+// Said when the file is read, not after the runs.
+TEST(Expectations, NameTheQuantitiesAndSidesOfAnOutline)
+{
+  const auto told = [](const std::string &take)
+  {
+    return error_of(head + check + "take = {run = \"mpm_pf\", outline = \"o\", " + take +
+                    "}\nagainst = \"zero\"\nnorm = \"absolute\"\nlimit = 1\n");
+  };
+  for (const char *known : {"area", "perimeter", "reach", "extreme_x\", side = \"left"})
+    EXPECT_EQ(told("of = \"" + std::string(known) + "\""), "");
+  EXPECT_NE(told("of = \"aera\"").find("an outline has no `aera`"), std::string::npos);
+  EXPECT_NE(told("of = \"extreme_z\", side = \"left\"").find("an outline has no"),
+            std::string::npos);
+  EXPECT_NE(told("of = \"side\", side = \"lefft\", y = 1").find("no such side: `lefft`"),
+            std::string::npos);
+}
+
 TEST(Expectations, RefuseNormsOfNumbersForCurvesAndIntegralsOfSnapshots)
 {
   const std::string table = "take = {run = \"mpm_pf\", table = \"t\", of = \"u\"",
