@@ -168,6 +168,7 @@ namespace verify
       read_uncertainty(section, check);
       read_limit(section, check, c.constants);
       check_formulas(section, check, c.constants);
+      refuse_zero_scale(section, check, c.constants);
       return check;
     }
 

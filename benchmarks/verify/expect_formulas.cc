@@ -76,6 +76,20 @@ namespace verify
       examine(section, "against", check.against.text, constants, {}, Columns::none);
   }
 
+  void refuse_zero_scale(Section &section, const Check &check, const Constants &constants)
+  {
+    try
+    {
+      if (!check.scale.empty() && evaluate(check.scale, constants) == 0.)
+        section.add_error("scale",
+                          fmt::format("`{}` is zero: nothing can be divided by it", check.scale),
+                          "leave `scale` out for a norm that nothing divides");
+    }
+    catch (const BadInput &) // check_formulas tells of it
+    {
+    }
+  }
+
   double value_of(Section &section, const std::string &key, const std::string &text,
                   const Constants &constants)
   {

@@ -33,7 +33,8 @@ namespace verify
     {
       Norm norm;
       norm.name = check.norm;
-      norm.scale = check.scale.empty() ? 0. : evaluate(check.scale, c.constants);
+      if (!check.scale.empty())
+        norm.scale = evaluate(check.scale, c.constants);
       norm.coverage = check.coverage.value_or(check.take.kind == Take::Kind::line ? 0.95 : 0.99);
       return norm;
     }

@@ -93,8 +93,10 @@ namespace verify
   double distance(const Norm &norm, const Quantity &a, const Quantity &b, const Quantity &size_of)
   {
     double value = raw_distance(norm, a, b);
-    if (norm.scale != 0.)
-      value /= std::abs(norm.scale);
+    if (norm.scale && !(std::abs(*norm.scale) > 0.))
+      throw MissingData(fmt::format("the scale is {}: nothing can be divided by it", *norm.scale));
+    if (norm.scale)
+      value /= std::abs(*norm.scale);
     else if (is_relative(norm.name))
     {
       const double reference = size(norm, size_of);

@@ -86,6 +86,7 @@ namespace verify
           check.uncertain_against = trade.references;
       }
       check_formulas(section, check, trade.c.constants);
+      refuse_zero_scale(section, check, trade.c.constants);
       for (const auto &norm : norms)
       {
         check.norm = norm;

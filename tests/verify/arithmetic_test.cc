@@ -129,7 +129,7 @@ TEST(Curves, AreCutWhereALoopTurnsRound)
     coarse.x.push_back(t < 1. ? t : t < 2. ? 2. - t : t - 2.);
     coarse.y.push_back(t);
   }
-  EXPECT_NEAR(distance({"max", 0., 0.99}, loop, coarse, coarse), 0., 1e-9);
+  EXPECT_NEAR(distance({"max", {}, 0.99}, loop, coarse, coarse), 0., 1e-9);
 }
 
 TEST(Curves, IgnoreNoiseOfTheAbscissa)
@@ -143,28 +143,34 @@ TEST(Curves, IgnoreNoiseOfTheAbscissa)
 TEST(Norms, AreOrderedAndNormalised)
 {
   const Curve a = sampled(100, [](double x) { return square(x) + 0.1; }), b = sampled(100, square);
-  EXPECT_NEAR(distance({"max", 0., 0.99}, a, b, b), 0.1, 1e-12);
-  EXPECT_NEAR(distance({"rms", 0., 0.99}, a, b, b), 0.1, 1e-12);
-  EXPECT_NEAR(distance({"relative_max", 0., 0.99}, a, b, b), 0.1, 1e-12);
+  EXPECT_NEAR(distance({"max", {}, 0.99}, a, b, b), 0.1, 1e-12);
+  EXPECT_NEAR(distance({"rms", {}, 0.99}, a, b, b), 0.1, 1e-12);
+  EXPECT_NEAR(distance({"relative_max", {}, 0.99}, a, b, b), 0.1, 1e-12);
   EXPECT_NEAR(distance({"max", 4., 0.99}, a, b, b), 0.025, 1e-12);
   // relative_l2: 0.1/sqrt(integral x^4) = 0.1 sqrt(5)
-  EXPECT_NEAR(distance({"relative_l2", 0., 0.99}, a, b, b), 0.1 * std::sqrt(5.), 1e-4);
-  EXPECT_NEAR(distance({"relative", 0., 0.}, 3., 4., 4.), 0.25, 1e-15);
-  EXPECT_NEAR(distance({"relative", 0., 0.}, 5., 4., 4.), 0.25,
+  EXPECT_NEAR(distance({"relative_l2", {}, 0.99}, a, b, b), 0.1 * std::sqrt(5.), 1e-4);
+  EXPECT_NEAR(distance({"relative", {}, 0.}, 3., 4., 4.), 0.25, 1e-15);
+  EXPECT_NEAR(distance({"relative", {}, 0.}, 5., 4., 4.), 0.25,
               1e-15); // unsigned: both sides count
+}
+
+TEST(Norms, RefuseAScaleOfZero)
+{
+  EXPECT_NEAR(distance({"absolute", 2., 0.}, 3., 4., 4.), 0.5, 1e-15);
+  EXPECT_THROW(distance({"absolute", 0., 0.}, 3., 4., 4.), MissingData);
 }
 
 TEST(Norms, RefuseShortInfiniteAndUnlikeData)
 {
   const Curve whole = sampled(100, square), half = sampled(50, square, 0., 0.5);
-  EXPECT_THROW(distance({"max", 0., 0.99}, half, whole, whole), MissingData);
-  EXPECT_THROW(distance({"max", 0., 0.99}, whole, half, half), MissingData);
+  EXPECT_THROW(distance({"max", {}, 0.99}, half, whole, whole), MissingData);
+  EXPECT_THROW(distance({"max", {}, 0.99}, whole, half, half), MissingData);
   Curve broken = whole;
   broken.y[7] = infinite;
-  EXPECT_THROW(distance({"max", 0., 0.}, broken, whole, whole), MissingData);
-  EXPECT_THROW(distance({"max", 0., 0.99}, 1., whole, whole), MissingData);
-  EXPECT_THROW(distance({"relative", 0., 0.99}, 1., 0., 0.), MissingData);
-  EXPECT_THROW(distance({"absolute", 0., 0.99}, absent, 0., 0.), MissingData);
+  EXPECT_THROW(distance({"max", {}, 0.}, broken, whole, whole), MissingData);
+  EXPECT_THROW(distance({"max", {}, 0.99}, 1., whole, whole), MissingData);
+  EXPECT_THROW(distance({"relative", {}, 0.99}, 1., 0., 0.), MissingData);
+  EXPECT_THROW(distance({"absolute", {}, 0.99}, absent, 0., 0.), MissingData);
 }
 
 TEST(Norms, LeaveOutMissingPointsButCountThem)
@@ -172,8 +178,8 @@ TEST(Norms, LeaveOutMissingPointsButCountThem)
   Curve a = sampled(100, square);
   const Curve b = a;
   a.y[0] = a.y[1] = absent;
-  EXPECT_NEAR(distance({"max", 0., 0.95}, a, b, b), 0., 1e-15);
-  EXPECT_THROW(distance({"max", 0., 0.995}, a, b, b), MissingData);
+  EXPECT_NEAR(distance({"max", {}, 0.95}, a, b, b), 0., 1e-15);
+  EXPECT_THROW(distance({"max", {}, 0.995}, a, b, b), MissingData);
 }
 
 TEST(Reductions, GiveExactValuesOfALine)

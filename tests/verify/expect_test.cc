@@ -94,6 +94,17 @@ TEST(Expectations, NameTheQuantitiesAndSidesOfAnOutline)
             std::string::npos);
 }
 
+TEST(Expectations, RefuseAScaleOfZero)
+{
+  const std::string take = "take = {run = \"mpm_pf\", number = \"n\"}\nagainst = \"zero\"\nnorm = "
+                           "\"absolute\"\nlimit = 1\n",
+                    constants = "title = \"t\"\n[constants]\na = 2\n";
+  const std::string run = "[[run]]\nsolver = \"mpm_pf\"\n";
+  EXPECT_EQ(error_of(constants + run + check + take + "scale = \"a\"\n"), "");
+  EXPECT_NE(error_of(constants + run + check + take + "scale = \"a - 2\"\n").find("is zero"),
+            std::string::npos);
+}
+
 TEST(Expectations, RefuseNormsOfNumbersForCurvesAndIntegralsOfSnapshots)
 {
   const std::string table = "take = {run = \"mpm_pf\", table = \"t\", of = \"u\"",
