@@ -15,7 +15,6 @@ namespace verify
   namespace
   {
     using Values = std::map<std::string, double>;
-    constexpr double small = 0.05;
 
     std::string path_of(const Case &c)
     {
@@ -38,6 +37,21 @@ namespace verify
       return values;
     }
 
+    /// How far a check's value may lie from the accepted one, whose magnitude is `accepted`.
+    /// Rounding is another one with another compiler, so a check that asks for nothing but
+    /// rounding, by its limit, drifts when it grows tenfold. Any other value is as large elsewhere;
+    /// one that nearly vanishes is the difference of larger numbers, of which its tolerance is a
+    /// part.
+    double tolerance(const Check &check, const double accepted)
+    {
+      constexpr double rounding = 1e-6, tenfold = 9., nearly_zero = 0.05;
+      const double limit = std::max(std::abs(check.low), std::abs(check.high));
+      if (limit <= rounding)
+        return std::max(std::max(tenfold, check.drift) * accepted, 1e-3 * limit);
+      const double part = accepted < nearly_zero * limit ? 5e-3 : 1e-3;
+      return std::max(check.drift * accepted, part * limit);
+    }
+
     std::string quoted(const std::string &text)
     {
       std::string result = "\"";
@@ -56,12 +70,8 @@ namespace verify
       verdict.drift.unknown = found == values.end() && verdict.value;
       if (found == values.end() || !verdict.value)
         continue;
-      const double limit = std::max(std::abs(verdict.check.low), std::abs(verdict.check.high));
       verdict.drift.accepted = found->second;
-      verdict.drift.tolerance =
-          std::max(verdict.check.drift * std::abs(found->second), 1e-3 * limit);
-      if (std::abs(found->second) < small * limit) // round-off, of another compiler or machine
-        verdict.drift.tolerance = std::max(verdict.drift.tolerance, small * limit);
+      verdict.drift.tolerance = tolerance(verdict.check, std::abs(found->second));
       verdict.drift.drifted = std::abs(*verdict.value - found->second) > verdict.drift.tolerance;
     }
   }

@@ -55,6 +55,25 @@ TEST(Drift, OfRoundOffThatMovesIsNone)
   EXPECT_EQ(w.run(run_with("\"fake.error=3e-11\"") + c).exit_code, 5);
 }
 
+TEST(Drift, OfRoundOffThatGrewFarBelowItsLimitIsSeen)
+{
+  const Workspace w;
+  const std::string c = check("1e-8");
+  EXPECT_EQ(accept(w, "\"fake.error=1e-13\"", c).exit_code, 0);
+  EXPECT_EQ(w.run(run_with("\"fake.error=5e-12\"") + c).exit_code, 0)
+      << "a thousandth of the limit";
+  EXPECT_EQ(w.run(run_with("\"fake.error=5e-11\"") + c).exit_code, 5);
+}
+
+TEST(Drift, OfASmallErrorIsSeenBeforeItHasGrownToAHundredthOfItsLimit)
+{
+  const Workspace w;
+  const std::string c = check("0.02");
+  EXPECT_EQ(accept(w, "\"fake.error=1e-5\"", c).exit_code, 0);
+  EXPECT_EQ(w.run(run_with("\"fake.error=1.5e-5\"") + c).exit_code, 0);
+  EXPECT_EQ(w.run(run_with("\"fake.error=2e-4\"") + c).exit_code, 5);
+}
+
 // A machine without deal.II must not delete what was accepted of the finite elements.
 TEST(Accepting, KeepsTheValuesOfWhatDidNotRunOrFailed)
 {
