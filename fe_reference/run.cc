@@ -70,10 +70,7 @@ namespace fe
       std::unique_ptr<record::Writer> writer = nullptr; // process 0 only
       bool first = process_number() == 0;
 
-      std::string checkpoint_path() const
-      {
-        return command.output + "/" + command.record + ".checkpoint.h5";
-      }
+      std::string checkpoint_path() const { return record::checkpoint_path(command.record_path()); }
       void open_record(const std::optional<double> &resumed_at);
       record::Profile profile(const Problem &, const LinearSystem &, const Observer &,
                               const SteppingState &) const;

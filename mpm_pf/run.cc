@@ -28,11 +28,6 @@ namespace
   constexpr double memory_check_interval_s = 0.25;
   constexpr auto last_good = "last good state";
 
-  std::string checkpoint_path(const record::CommandLine &command)
-  {
-    return command.output + "/" + command.record + ".checkpoint.h5";
-  }
-
   void save_checkpoint(const World &world, const Recorder &recorder, const std::string &path)
   {
     record::CheckpointFile checkpoint(path, *world.scene);
@@ -91,7 +86,7 @@ namespace
     void forget_checkpoint() const
     {
       std::error_code none;
-      std::filesystem::remove(checkpoint_path(command), none);
+      std::filesystem::remove(record::checkpoint_path(command.record_path()), none);
     }
 
     const scene::Scene &scene;
@@ -125,11 +120,11 @@ namespace
     {
       std::filesystem::create_directories(command.output);
       writer.emplace(command.record_path(), provenance, scene, command.force);
-      forget_checkpoint(); // its record is no more
       recorder.emplace(scene, *writer);
       return;
     }
-    const auto from = record::Checkpoint::load(checkpoint_path(command), scene);
+    const auto from =
+        record::Checkpoint::load(record::checkpoint_path(command.record_path()), scene);
     world.time = from.number("time");
     world.steps = static_cast<long>(from.number("steps"));
     restore(world, from);
@@ -142,7 +137,7 @@ namespace
   void Session::save()
   {
     writer->flush();
-    save_checkpoint(world, *recorder, checkpoint_path(command));
+    save_checkpoint(world, *recorder, record::checkpoint_path(command.record_path()));
     since_checkpoint = {};
     saved = true;
   }

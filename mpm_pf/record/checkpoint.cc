@@ -24,6 +24,11 @@ namespace record
     }
   } // namespace
 
+  std::string checkpoint_path(const std::string &record_path)
+  {
+    return std::filesystem::path(record_path).replace_extension(".checkpoint.h5").string();
+  }
+
   template <class T>
   const std::vector<T> &Checkpoint::get(const std::string &name) const
   {

@@ -16,6 +16,9 @@
 
 namespace record
 {
+  /// Where the run that writes the record at `record_path` keeps its checkpoint: beside it.
+  std::string checkpoint_path(const std::string &record_path);
+
   /// Takes arrays and numbers, each under a name of its own.
   class CheckpointTarget
   {

@@ -4,6 +4,7 @@
 #include <functional>
 #include <stdexcept>
 
+#include "record/checkpoint.h"
 #include "record/write_buffer.h"
 #include "record/xdmf.h"
 #include "scene/value.h"
@@ -120,6 +121,7 @@ namespace record
     if (failure)
       throw std::runtime_error("cannot make the folder " + folder.string() + ": " +
                                failure.message());
+    std::filesystem::remove(checkpoint_path(path)); // before: a kill between must not leave both
     file->write(hdf5::open_file(file->part, hdf5::Mode::create),
                 [&](const hid_t open) { write_head(open, provenance, scene); });
   }

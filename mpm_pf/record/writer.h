@@ -84,8 +84,9 @@ namespace record
   class Writer
   {
   public:
-    /// Opens <path>.part. Throws std::runtime_error if `path` exists and `force` is false, or if it
-    /// cannot be written.
+    /// Opens <path>.part. An earlier run's checkpoint beside it is removed first, since the new
+    /// record lacks what came before it. Throws std::runtime_error if `path` exists and `force` is
+    /// false, or if it cannot be written.
     Writer(const std::string &path, const Provenance &, const scene::Scene &, bool force);
     /// Goes on with the <path>.part of an interrupted run from a checkpoint at `time`: rows,
     /// outlines and snapshots later than that are forgotten, and what is observed again of those

@@ -88,6 +88,17 @@ class Programs(unittest.TestCase):
         done = subprocess.run(command, env=ENVIRONMENT, capture_output=True, text=True, timeout=600)
         return done.returncode, done.stdout + done.stderr
 
+    def interrupt(self, scene, output, number=signal.SIGTERM, code=130):
+        """A new run, sent the signal `number` a moment after it has opened its record."""
+        part = self.path(output, "fe_reference.h5.part")
+        before = os.stat(part).st_mtime_ns if os.path.exists(part) else None
+        process = subprocess.Popen(self.command(scene, output), env=ENVIRONMENT, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        while process.poll() is None and (not os.path.exists(part) or os.stat(part).st_mtime_ns == before):
+            time.sleep(0.01)
+        time.sleep(0.2)
+        process.send_signal(number)
+        self.assertEqual(process.wait(timeout=600), code, "the run was over before the signal came")
+
     def observed(self, output):
         """Everything that was observed: path -> array; neither provenance nor timings."""
         found = {}
@@ -116,13 +127,7 @@ class Programs(unittest.TestCase):
         code, text = self.run_to_end(self.command(scene, "whole"))
         self.assertEqual(code, 0, text)
 
-        process = subprocess.Popen(self.command(scene, "halves"), env=ENVIRONMENT, stdout=subprocess.DEVNULL,
-                                   stderr=subprocess.DEVNULL)
-        while process.poll() is None and not os.path.exists(self.path("halves", "fe_reference.h5.part")):
-            time.sleep(0.01)
-        time.sleep(0.2)
-        process.send_signal(signal.SIGTERM)
-        self.assertEqual(process.wait(timeout=600), 130, "the run was over before the signal came")
+        self.interrupt(scene, "halves")
         self.assertFalse(os.path.exists(self.path("halves")), "an unfinished record has the final name")
         self.assertTrue(os.path.exists(self.path("halves", "fe_reference.checkpoint.h5")))
 
@@ -134,6 +139,14 @@ class Programs(unittest.TestCase):
             self.assertEqual(values.shape, halves[name].shape, name)
             self.assertEqual(values.tobytes(), halves[name].tobytes(), name)
         self.assertFalse(os.path.exists(self.path("halves", "fe_reference.checkpoint.h5")))
+
+    def test_a_new_run_never_goes_on_from_the_checkpoint_of_an_earlier_one(self):
+        scene = self.scene(steps=3000)
+        self.interrupt(scene, "twice")
+        self.interrupt(scene, "twice", signal.SIGKILL, -signal.SIGKILL)  # before its first checkpoint
+        code, text = self.run_to_end(self.command(scene, "twice", "--resume"))
+        self.assertEqual(code, 2, text)
+        self.assertIn("no checkpoint", text)
 
     @unittest.skipUnless(shutil.which("mpirun"), "no mpirun here")
     def test_two_processes_give_the_answer_of_one(self):

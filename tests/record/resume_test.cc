@@ -76,6 +76,41 @@ TEST(ResumedRecord, EqualsAnUninterruptedOne)
             std::string::npos);
 }
 
+// Killed before its first checkpoint, the second run would go on from that of the first: without
+// what the first alone has recorded.
+TEST(NewRecord, LeavesNoCheckpointOfAnEarlierRun)
+{
+  const Scratch scratch;
+  const std::string path = scratch / "run.v2.h5", checkpoint = scratch / "run.v2.checkpoint.h5";
+  const scene::Scene scene = scene_of_hash("1");
+  {
+    Writer interrupted(path, {}, scene, false);
+    observe(interrupted, 0, 4);
+    EXPECT_EQ(checkpoint_path(path), checkpoint);
+    CheckpointFile(checkpoint, scene).finish();
+  }
+  {
+    const Writer resumed(path, {}, scene, Writer::Resume{0.4});
+    EXPECT_TRUE(std::filesystem::exists(checkpoint));
+  }
+  {
+    const Writer afresh(path, {}, scene, false);
+    EXPECT_FALSE(std::filesystem::exists(checkpoint));
+  }
+}
+
+// Refused, it has replaced nothing: both still belong together.
+TEST(NewRecord, KeepsTheCheckpointWhereItIsRefused)
+{
+  const Scratch scratch;
+  const scene::Scene scene = scene_of_hash("1");
+  Writer(scratch / "run.h5", {}, scene, false).finish({});
+  const Writer forced(scratch / "run.h5", {}, scene, true);
+  CheckpointFile(scratch / "run.checkpoint.h5", scene).finish();
+  EXPECT_THROW(Writer(scratch / "run.h5", {}, scene, false), std::runtime_error);
+  EXPECT_TRUE(std::filesystem::exists(scratch / "run.checkpoint.h5"));
+}
+
 TEST(ResumedRecord, DropsLateRowsOfWindowsThatItHasAlready)
 {
   // A mean over a window of +-1 about t = 2 comes at t = 3, after the checkpoint at 2.5.
