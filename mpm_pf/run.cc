@@ -94,7 +94,7 @@ namespace
     record::Stopwatch whole, since_checkpoint;
     std::optional<record::Stopwatch> since_memory_check; // not before the first
     record::Profile::Part setup{"set-up"};
-    bool saved = false; // there is a checkpoint of this run
+    std::optional<long> saved; // steps at the checkpoint of this run
     World world;
     std::map<std::string, double> held; // bytes by module, when they were most
     std::optional<record::Writer> writer;
@@ -119,7 +119,9 @@ namespace
     if (!resume)
     {
       std::filesystem::create_directories(command.output);
-      writer.emplace(command.record_path(), provenance, scene, command.force);
+      const bool again = progress.has_value(); // it replaces what the run was let replace
+      writer.emplace(command.record_path(), provenance, scene, command.force || again);
+      saved.reset();
       recorder.emplace(scene, *writer);
       return;
     }
@@ -131,7 +133,7 @@ namespace
     writer.emplace(command.record_path(), provenance, scene, record::Writer::Resume{world.time});
     recorder.emplace(scene, *writer);
     recorder->restore(from, world.time);
-    saved = true;
+    saved = world.steps;
   }
 
   void Session::save()
@@ -139,7 +141,7 @@ namespace
     writer->flush();
     save_checkpoint(world, *recorder, record::checkpoint_path(command.record_path()));
     since_checkpoint = {};
-    saved = true;
+    saved = world.steps;
   }
 
   void Session::measure_memory()
@@ -164,14 +166,15 @@ namespace
     return !stop;
   }
 
-  /// Once more from the last checkpoint, or from the start, to the state before the trouble: the
-  /// same scene gives the same bits, so a run that goes well need not keep its states.
+  /// Once more from the last checkpoint, or from the start if that holds the trouble already, to
+  /// the state before it: the same scene gives the same bits, so a run that goes well need not keep
+  /// its states.
   void Session::rerun_to_last_good_step(const long steps, const std::function<bool()> &stop_asked)
   {
     recorder.reset(), writer.reset();
     world = World{}; // two at once might not find room
     world = build_world(scene, command.threads, command.force);
-    open(saved);
+    open(saved && *saved <= steps);
     simulate(world, *recorder,
              [&](const World &now) { return now.steps < steps && !stop_asked(); });
     scene::Probe probe;

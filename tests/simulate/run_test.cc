@@ -19,6 +19,12 @@ namespace
       "velocity = [\"5\", \"0\"]\n"
       "[solid]\nyoung_modulus = 1000.0\npoisson_ratio = 0.3\ndensity = 1.0\n"
       "[clock]\nend = 1.0\n";
+  /// Its growth step is too long: phi leaves its bounds.
+  const std::string outgrown = "title = \"t\"\n[domain]\nsize = [12.8, 12.8]\ncells = [32, 32]\n"
+                               "[[body]]\nshape = \"disc\"\ncentre = [6.4, 6.4]\nradius = 4.0\n"
+                               "[phase_field]\nwidth = 1.0\n[growth]\ncapillary_length = 0.185\n"
+                               "step = 0.05\n[heat]\ndiffusivity = 3.0\nundercooling = 0.55\n"
+                               "[clock]\nend = 100.0\nstep = 0.05\n";
   const std::string watched = "[[probe]]\nname = \"energy\"\nhistory = true\nevery = 0.01\n";
 
   record::CommandLine command_for(const Folder &folder)
@@ -125,12 +131,7 @@ TEST(FailedRun, ComesBackFromItsCheckpointToTheSameState)
 TEST(FailedRun, KeepsTheMeltBeforeItLeftItsBounds)
 {
   const Folder folder;
-  const auto scene =
-      scene_of(folder, "title = \"t\"\n[domain]\nsize = [12.8, 12.8]\ncells = [32, 32]\n"
-                       "[[body]]\nshape = \"disc\"\ncentre = [6.4, 6.4]\nradius = 4.0\n"
-                       "[phase_field]\nwidth = 1.0\n[growth]\ncapillary_length = 0.185\n"
-                       "step = 0.05\n[heat]\ndiffusivity = 3.0\nundercooling = 0.55\n"
-                       "[clock]\nend = 100.0\nstep = 0.05\n");
+  const auto scene = scene_of(folder, outgrown);
   auto command = command_for(folder);
   command.force = true;
   const Ended end = ended(scene, command);
@@ -140,6 +141,31 @@ TEST(FailedRun, KeepsTheMeltBeforeItLeftItsBounds)
   EXPECT_GT(record.snapshot_times("last good state").at(0), 0.);
   for (const double phi : last_good(record).fields.at("phi"))
     ASSERT_LT(std::abs(phi), 2.);
+}
+
+// The melt is judged when its next step begins: the checkpoint may hold the trouble by then.
+TEST(FailedRun, NeverTakesACheckpointOfTheTroubleForGood)
+{
+  const Folder whole, parts;
+  auto command = command_for(whole);
+  command.force = true;
+  const Ended end = ended(scene_of(whole, outgrown), command);
+  const auto number = end.said.find("after step ");
+  ASSERT_NE(number, std::string::npos) << end.said;
+  const long good = std::stol(end.said.substr(number + std::string("after step ").size()));
+  ASSERT_GT(good, 0);
+  const record::Reader one(command.record_path());
+
+  const auto scene = scene_of(parts, outgrown);
+  command = command_for(parts);
+  command.force = true;
+  long steps = -1; // asked after each, and before the first
+  EXPECT_EQ(ended(scene, command, [&] { return ++steps > good; }).code, record::interrupted);
+  command.resume = true;
+  EXPECT_EQ(ended(scene, command).code, record::numerical_trouble);
+  const record::Reader two(command.record_path());
+  EXPECT_EQ(one.snapshot_times("last good state"), two.snapshot_times("last good state"));
+  EXPECT_EQ(last_good(one).fields, last_good(two).fields);
 }
 
 // Where a checkpoint belongs stands a folder: no fault of the scene.
