@@ -13,7 +13,7 @@
 #include "observer.h"
 #include "plan.h"
 #include "record/progress.h"
-#include "record/stopwatch.h"
+#include "record/run_cost.h"
 #include "scene/value.h"
 #include "state_checkpoint.h"
 #include "versions.h"
@@ -65,8 +65,7 @@ namespace fe
     {
       const scene::Scene &scene;
       const record::CommandLine &command;
-      record::Stopwatch whole = {};
-      record::Profile::Part setup{"set-up"};
+      record::RunCost cost = {};
       std::unique_ptr<record::Writer> writer = nullptr; // process 0 only
       bool first = process_number() == 0;
 
@@ -100,29 +99,21 @@ namespace fe
     record::Profile Run::profile(const Problem &problem, const LinearSystem &system,
                                  const Observer &observer, const SteppingState &stepping) const
     {
-      const double wall = whole.wall_seconds(), cpu = record::cpu_seconds();
-      record::Profile::Part output = observer.cost();
-      output.calls = 1;
-      record::Profile profile;
-      profile.parts = {setup,
-                       {"solve", wall - setup.wall_s - output.wall_s,
-                        cpu - setup.cpu_s - output.cpu_s, stepping.steps},
-                       output,
-                       {"factorisations", system.factorisation_seconds(),
-                        system.factorisation_cpu_seconds(), system.factorisations()}};
-      profile.numbers = {{"steps", stepping.steps},
-                         {"retries", stepping.retries},
-                         {"newton_iterations", stepping.iterations},
-                         {"cells", problem.mesh.cells},
-                         {"points", problem.mesh.cells * problem.mesh.points_per_cell},
-                         {"unknowns", problem.mesh.unknowns()},
-                         {"processes", number_of_processes()},
-                         {"wall_s", wall},
-                         {"cpu_s", cpu},
-                         {"peak_rss_bytes", record::peak_rss_bytes()}};
+      record::SolverCost solver;
+      solver.output = observer.cost();
+      solver.steps = stepping.steps;
+      solver.parts = {{"factorisations", system.factorisation_seconds(),
+                       system.factorisation_cpu_seconds(), system.factorisations()}};
+      solver.numbers = {{"steps", stepping.steps},
+                        {"retries", stepping.retries},
+                        {"newton_iterations", stepping.iterations},
+                        {"cells", problem.mesh.cells},
+                        {"points", problem.mesh.cells * problem.mesh.points_per_cell},
+                        {"unknowns", problem.mesh.unknowns()},
+                        {"processes", number_of_processes()}};
       for (const auto &[what, bytes] : memory(problem, system))
-        profile.numbers["bytes " + what] = bytes;
-      return profile;
+        solver.numbers["bytes " + what] = bytes;
+      return cost.profile(std::move(solver));
     }
 
     int Run::conclude(const Problem &problem, const LinearSystem &system, Observer &observer,
@@ -214,13 +205,13 @@ namespace fe
 
       std::optional<SavedState> saved;
       if (command.resume)
-        saved = load(run.checkpoint_path(), scene, problem);
+        saved = load(run.checkpoint_path(), scene, problem, run.cost);
       run.open_record(saved ? std::optional<double>(saved->state.time) : std::nullopt);
       under_way = true;
       Observer observer(scene, problem, run.writer.get());
       if (saved)
         observer.resume(saved->folding);
-      run.setup = {"set-up", run.whole.wall_seconds(), record::cpu_seconds(), 1};
+      run.cost.set_up_done();
 
       const double begin = saved ? saved->state.time : 0.;
       record::Progress progress(std::cerr, record::Progress::style_of_stderr(!run.first),
@@ -229,7 +220,9 @@ namespace fe
       const auto checkpoint = [&](const State &state, const SteppingState &stepping)
       {
         on_first_process([&] { run.writer->flush(); });
-        save(run.checkpoint_path(), scene, problem, {state, stepping, observer.folding()});
+        save(run.checkpoint_path(), scene, problem,
+             {state, stepping, observer.folding(),
+              run.profile(problem, system, observer, stepping)});
         since_checkpoint = {};
       };
 

@@ -12,7 +12,7 @@ namespace fe
     void write(const std::string &path, const scene::Scene &scene, const StateToSave &saved,
                const std::vector<double> &points)
     {
-      const auto &[state, stepping, folding] = saved;
+      const auto &[state, stepping, folding, spent] = saved;
       record::CheckpointFile checkpoint(path, scene);
       checkpoint.put("time", state.time);
       checkpoint.put("smallest_jacobian", state.smallest_jacobian);
@@ -29,6 +29,7 @@ namespace fe
                                          stepping.energies.elastic, stepping.energies.plastic});
       checkpoint.put("folding", std::vector<double>{folding.last_valid, folding.time,
                                                     static_cast<double>(folding.cell)});
+      record::save(spent, checkpoint);
       checkpoint.finish();
     }
   } // namespace
@@ -40,7 +41,8 @@ namespace fe
     on_first_process([&] { write(path, scene, saved, points); });
   }
 
-  SavedState load(const std::string &path, const scene::Scene &scene, const Problem &problem)
+  SavedState load(const std::string &path, const scene::Scene &scene, const Problem &problem,
+                  record::RunCost &cost)
   {
     const record::Checkpoint checkpoint = record::Checkpoint::load(path, scene);
     SavedState saved;
@@ -56,6 +58,7 @@ namespace fe
     if (static_cast<int>(state.u.size()) != d.unknowns() ||
         static_cast<int>(state.points.size()) != d.cells * d.points_per_cell)
       throw std::runtime_error(path + ": made on another mesh; start afresh with --force");
+    cost.resume(checkpoint);
     SteppingState &stepping = saved.stepping;
     stepping.velocity = checkpoint.get<double>("velocity");
     const std::vector<double> &numbers = checkpoint.get<double>("pace");

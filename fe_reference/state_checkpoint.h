@@ -2,7 +2,7 @@
 #pragma once
 
 #include "observer.h"
-#include "record/checkpoint.h"
+#include "record/run_cost.h"
 
 namespace fe
 {
@@ -12,6 +12,7 @@ namespace fe
     const State &state;
     const SteppingState &stepping;
     const Folding &folding;
+    const record::Profile &spent; // until now; of process 0
   };
   void save(const std::string &path, const scene::Scene &, const Problem &, const StateToSave &);
 
@@ -21,7 +22,8 @@ namespace fe
     SteppingState stepping;
     Folding folding;
   };
-  /// Throws std::runtime_error if there is no such file, it belongs to another scene or to another
-  /// mesh.
-  SavedState load(const std::string &path, const scene::Scene &, const Problem &);
+  /// `cost` goes on from what was spent until then. Throws std::runtime_error if there is no such
+  /// file, it belongs to another scene or to another mesh.
+  SavedState load(const std::string &path, const scene::Scene &, const Problem &,
+                  record::RunCost &cost);
 } // namespace fe

@@ -19,6 +19,7 @@
 #include "ramp_warnings.h"
 #include "record/checkpoint.h"
 #include "record/progress.h"
+#include "record/run_cost.h"
 #include "record/stopwatch.h"
 #include "simulate.h"
 
@@ -28,37 +29,16 @@ namespace
   constexpr double memory_check_interval_s = 0.25;
   constexpr auto last_good = "last good state";
 
-  void save_checkpoint(const World &world, const Recorder &recorder, const std::string &path)
+  void save_checkpoint(const World &world, const Recorder &recorder, const record::Profile &spent,
+                       const std::string &path)
   {
     record::CheckpointFile checkpoint(path, *world.scene);
     checkpoint.put("time", world.time);
     checkpoint.put("steps", static_cast<double>(world.steps));
     save(world, checkpoint);
     recorder.save(checkpoint);
+    record::save(spent, checkpoint);
     checkpoint.finish();
-  }
-
-  record::Profile profile_of(const World &world, const Recorder &recorder,
-                             const std::map<std::string, double> &held,
-                             const record::Profile::Part &setup, const record::Stopwatch &whole)
-  {
-    record::Profile profile;
-    const double cpu = record::cpu_seconds(), wall = whole.wall_seconds();
-    record::Profile::Part output = recorder.cost();
-    output.calls = 1;
-    profile.parts = {setup,
-                     {"solve", wall - setup.wall_s - output.wall_s,
-                      cpu - setup.cpu_s - output.cpu_s, world.steps},
-                     output};
-    for (const auto &part : parts(world))
-      profile.parts.push_back(part);
-    profile.numbers = numbers(world);
-    profile.numbers["wall_s"] = wall;
-    profile.numbers["cpu_s"] = cpu;
-    profile.numbers["peak_rss_bytes"] = record::peak_rss_bytes();
-    for (const auto &[what, bytes] : held)
-      profile.numbers["bytes " + what] = bytes;
-    return profile;
   }
 
   /// A run in progress: everything that outlives its functions.
@@ -78,11 +58,7 @@ namespace
     int fail(const std::string &what, long good, const std::function<bool()> &stop_asked);
     int abandon(const std::string &what);
     int complete();
-    record::Profile profile()
-    {
-      measure_memory();
-      return profile_of(world, *recorder, held, setup, whole);
-    }
+    record::Profile profile();
     void forget_checkpoint() const
     {
       std::error_code none;
@@ -91,10 +67,10 @@ namespace
 
     const scene::Scene &scene;
     const record::CommandLine &command;
-    record::Stopwatch whole, since_checkpoint;
+    record::RunCost cost;
+    record::Stopwatch since_checkpoint;
     std::optional<record::Stopwatch> since_memory_check; // not before the first
-    record::Profile::Part setup{"set-up"};
-    std::optional<long> saved; // steps at the checkpoint of this run
+    std::optional<long> saved;                           // steps at the checkpoint of this run
     World world;
     std::map<std::string, double> held; // bytes by module, when they were most
     std::optional<record::Writer> writer;
@@ -107,7 +83,7 @@ namespace
   {
     std::cerr << size(world);
     open(command.resume);
-    setup = {"set-up", whole.wall_seconds(), record::cpu_seconds(), 1};
+    cost.set_up_done();
     since_checkpoint = {};
     progress.emplace(std::cerr, record::Progress::style_of_stderr(false), "mpm_pf " + scene.title,
                      record::Progress::Range{world.time, scene.clock.end});
@@ -116,10 +92,11 @@ namespace
   void Session::open(const bool resume)
   {
     const auto provenance = record::collect_provenance("mpm_pf", command.joined, command.threads);
+    const bool again = progress.has_value(); // a rerun
     if (!resume)
     {
       std::filesystem::create_directories(command.output);
-      const bool again = progress.has_value(); // it replaces what the run was let replace
+      // Again it replaces what the run was let replace.
       writer.emplace(command.record_path(), provenance, scene, command.force || again);
       saved.reset();
       recorder.emplace(scene, *writer);
@@ -130,6 +107,8 @@ namespace
     world.time = from.number("time");
     world.steps = static_cast<long>(from.number("steps"));
     restore(world, from);
+    if (!again)
+      cost.resume(from);
     writer.emplace(command.record_path(), provenance, scene, record::Writer::Resume{world.time});
     recorder.emplace(scene, *writer);
     recorder->restore(from, world.time);
@@ -139,7 +118,7 @@ namespace
   void Session::save()
   {
     writer->flush();
-    save_checkpoint(world, *recorder, record::checkpoint_path(command.record_path()));
+    save_checkpoint(world, *recorder, profile(), record::checkpoint_path(command.record_path()));
     since_checkpoint = {};
     saved = world.steps;
   }
@@ -152,6 +131,15 @@ namespace
       most = std::max(most, bytes);
     }
     since_memory_check.emplace();
+  }
+
+  record::Profile Session::profile()
+  {
+    measure_memory();
+    auto known = numbers(world);
+    for (const auto &[what, bytes] : held)
+      known["bytes " + what] = bytes;
+    return cost.profile({recorder->cost(), world.steps, parts(world), known});
   }
 
   bool Session::after_step(const std::function<bool()> &stop_asked)

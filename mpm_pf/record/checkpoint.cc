@@ -9,7 +9,7 @@ namespace record
 {
   namespace
   {
-    constexpr auto format = "mpm_pf checkpoint 1";
+    constexpr auto format = "mpm_pf checkpoint 2";
 
     Checkpoint::Array read_array(const hid_t group, const std::string &name)
     {
@@ -50,6 +50,20 @@ namespace record
     if (found == numbers.end())
       throw std::runtime_error("the checkpoint holds no number \"" + name + "\"");
     return found->second;
+  }
+
+  std::vector<std::string> Checkpoint::names_below(const std::string &prefix) const
+  {
+    std::vector<std::string> names;
+    const auto look = [&](const auto &all)
+    {
+      for (auto one = all.lower_bound(prefix); one != all.end() && one->first.rfind(prefix, 0) == 0;
+           ++one)
+        names.push_back(one->first.substr(prefix.size()));
+    };
+    look(arrays);
+    look(numbers);
+    return names;
   }
 
   struct CheckpointFile::File
@@ -129,7 +143,8 @@ namespace record
       throw std::runtime_error("no checkpoint " + path + ": start without --resume");
     const hdf5::Handle file = hdf5::open_file(path, hdf5::Mode::read);
     if (hdf5::text_attribute(file, "format") != format)
-      throw std::runtime_error(path + " is not a checkpoint of this program");
+      throw std::runtime_error(path + " is not a checkpoint of this program and this version of "
+                                      "it: start without --resume");
     if (hdf5::text_attribute(file, "scene_hash") != scene.hash)
       throw std::runtime_error(path + " was made from another scene than " + scene.file +
                                " as it is now: start without --resume");

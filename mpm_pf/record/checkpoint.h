@@ -57,6 +57,8 @@ namespace record
     void put(const std::string &name, double number) override { numbers[name] = number; }
 
     bool has(const std::string &name) const { return arrays.count(name) + numbers.count(name) > 0; }
+    /// What follows `prefix` in the names of arrays and numbers that begin with it.
+    std::vector<std::string> names_below(const std::string &prefix) const;
     /// The array `name`. Throws std::runtime_error if there is none or it holds another type.
     template <class T>
     const std::vector<T> &get(const std::string &name) const;

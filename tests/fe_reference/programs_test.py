@@ -99,6 +99,12 @@ class Programs(unittest.TestCase):
         process.send_signal(number)
         self.assertEqual(process.wait(timeout=600), code, "the run was over before the signal came")
 
+    def calls(self, output):
+        """What the profile counts, by part."""
+        with h5py.File(self.path(output)) as file:
+            profile = file["profile"]
+            return dict(zip(profile["part"].asstr()[:], profile["calls"][:].tolist()))
+
     def observed(self, output):
         """Everything that was observed: path -> array; neither provenance nor timings."""
         found = {}
@@ -139,6 +145,12 @@ class Programs(unittest.TestCase):
             self.assertEqual(values.shape, halves[name].shape, name)
             self.assertEqual(values.tobytes(), halves[name].tobytes(), name)
         self.assertFalse(os.path.exists(self.path("halves", "fe_reference.checkpoint.h5")))
+        # It cost what both starts did.
+        calls = [self.calls(output) for output in ("whole", "halves")]
+        self.assertEqual([parts.pop("set-up") for parts in calls], [1, 2])
+        self.assertEqual([parts.pop("output") for parts in calls], [1, 2])
+        self.assertGreater(calls[0]["factorisations"], 3000)
+        self.assertEqual(*calls)
 
     def test_a_new_run_never_goes_on_from_the_checkpoint_of_an_earlier_one(self):
         scene = self.scene(steps=3000)

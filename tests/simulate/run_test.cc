@@ -1,7 +1,9 @@
 // Runs that do not come to a good end: what they leave behind. And what a run says of its memory.
 #include "run.h"
 
+#include <chrono>
 #include <cmath>
+#include <thread>
 
 #include "record/reader.h"
 #include "scene_of.h"
@@ -206,6 +208,38 @@ TEST(ResumedRun, NeedsACheckpoint)
     EXPECT_TRUE(says(error.what(), "start without --resume")) << error.what();
   }
   EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+}
+
+// The work of both starts, counted as that of a run that was never interrupted.
+TEST(ResumedRun, RecordsTheCostOfAllItsStarts)
+{
+  const Folder whole, parts;
+  auto calm = thrown + watched;
+  calm.replace(calm.find("\"5\""), 3, "\"0.5\"");
+  ASSERT_EQ(ended(scene_of(whole, calm), command_for(whole)).code, record::all_right);
+  const auto scene = scene_of(parts, calm);
+  auto command = command_for(parts);
+  int looks = 0;
+  const auto slowly = [&]
+  {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    return ++looks > 12;
+  };
+  ASSERT_EQ(ended(scene, command, slowly).code, record::interrupted);
+  command.resume = true;
+  ASSERT_EQ(ended(scene, command).code, record::all_right);
+  const record::Reader one(command_for(whole).record_path()), two(command.record_path());
+  const auto a = one.profile(), b = two.profile();
+  EXPECT_EQ(one.table("energy").rows, two.table("energy").rows);
+  ASSERT_EQ(a.parts.size(), b.parts.size());
+  for (std::size_t k = 0; k < a.parts.size(); ++k)
+  {
+    EXPECT_EQ(a.parts[k].name, b.parts[k].name);
+    const bool once_a_start = a.parts[k].name == "set-up" || a.parts[k].name == "output";
+    EXPECT_EQ(a.parts[k].calls * (once_a_start ? 2 : 1), b.parts[k].calls) << a.parts[k].name;
+  }
+  EXPECT_GE(b.parts.at(1).wall_s, 13 * 0.02) << "of " << b.parts.at(1).name;
+  EXPECT_GE(b.numbers.at("wall_s"), 13 * 0.02);
 }
 
 TEST(Run, SaysWhatItIsAboutToDo)
