@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "record/reader.h"
+#include "scene/hash.h"
 #include "scene/reader.h"
 
 namespace record
@@ -123,6 +124,19 @@ namespace record
                                                    "first, or correct the path and probe");
       }
     }
+
+    /// Every bit of the curves, and where each of them ends.
+    std::string bytes_of(const std::vector<Polyline> &curves)
+    {
+      std::string bytes;
+      for (const Polyline &curve : curves)
+      {
+        bytes += std::to_string(curve.size()) + ' ';
+        for (const Point &vertex : curve)
+          bytes.append(reinterpret_cast<const char *>(vertex.data()), 2 * sizeof(double));
+      }
+      return bytes;
+    }
   } // namespace
 
   std::vector<Polyline> cut_above(const std::vector<Polyline> &curves, const double height)
@@ -157,6 +171,7 @@ namespace record
 
   void resolve_outlines(scene::Scene &scene)
   {
+    std::string resolved;
     for (scene::Body &body : scene.bodies)
     {
       const auto *source = std::get_if<RecordedOutline>(&body.shape);
@@ -172,7 +187,10 @@ namespace record
         complain(body, path + ": nothing of probe \"" + source->probe +
                            "\" is left at that time and between the cuts; widen cut_above and "
                            "cut_below or take another time");
+      resolved += bytes_of(curves) + '\n';
       body.shape = scene::Polygon{std::move(curves)};
     }
+    if (!resolved.empty())
+      scene.hash = scene::hash_of(scene.hash + resolved);
   }
 } // namespace record

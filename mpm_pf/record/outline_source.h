@@ -11,8 +11,10 @@
 namespace record
 {
   /// Replace every RecordedOutline among the bodies by the Polygon it stands for; paths are
-  /// as the scene's reader made them, beside the scene file. Throws scene::BadScene (place, cause,
-  /// remedy) if the record, the probe or the time is missing or nothing is left after the cuts.
+  /// as the scene's reader made them, beside the scene file. The vertices enter the hash of the
+  /// scene, which stays as it is if no body is taken from a record. Throws scene::BadScene (place,
+  /// cause, remedy) if the record, the probe or the time is missing or nothing is left after the
+  /// cuts.
   void resolve_outlines(scene::Scene &);
 
   /// What lies below the line y = `height` of the area that the closed curves bound by the

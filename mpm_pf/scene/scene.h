@@ -24,7 +24,7 @@ namespace scene
   {
     std::string file, title;
     std::string text;     // the TOML as merged and overridden, for provenance
-    std::string hash;     // of `text` and of the outline files it names
+    std::string hash;     // of `text` and of the outlines that it takes from files and records
     std::string accuracy; // "", "draft", "standard" or "fine"
     Units units = Units::si;
     Domain domain;

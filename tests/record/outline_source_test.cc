@@ -134,6 +134,39 @@ TEST(RecordedOutline, IsCutFromBothSides)
   EXPECT_DOUBLE_EQ(std::abs(area(std::get<scene::Polygon>(scene.bodies[0].shape).outlines)), 5.5);
 }
 
+// A checkpoint is refused when the record that the body comes from was written anew in between.
+TEST(RecordedOutline, EntersTheHashOfTheScene)
+{
+  const Scratch scratch;
+  const auto hash_with = [&](const std::vector<Polyline> &curves)
+  {
+    Writer writer(scratch / "free.h5", {}, {}, true);
+    writer.outline("contour", 1.5, curves);
+    writer.finish({});
+    auto scene = scene_with(scratch / "scene.toml", source(scratch / "free.h5", "contour"));
+    scene.hash = "0123";
+    resolve_outlines(scene);
+    return scene.hash;
+  };
+  const std::string hash = hash_with({comb});
+  EXPECT_EQ(hash.size(), 32u);
+  EXPECT_EQ(hash_with({comb}), hash);
+  auto moved = comb;
+  moved[2][1] = std::nextafter(moved[2][1], 0.);
+  EXPECT_NE(hash_with({moved}), hash) << "by one bit";
+  const Polyline half(comb.begin(), comb.begin() + 6), rest(comb.begin() + 6, comb.end());
+  EXPECT_NE(hash_with({half, rest}), hash) << "the same vertices as two curves";
+}
+
+TEST(RecordedOutline, LeavesTheHashWhereNoBodyIsTakenFromARecord)
+{
+  auto scene = scene_with("scene.toml", {});
+  scene.bodies[0].shape = scene::Polygon{{comb}};
+  scene.hash = "0123";
+  resolve_outlines(scene);
+  EXPECT_EQ(scene.hash, "0123");
+}
+
 TEST(RecordedOutline, ComplainsWithPlaceAndRemedy)
 {
   const Scratch scratch;
