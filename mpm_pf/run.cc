@@ -257,7 +257,7 @@ namespace
     }
     catch (const medium::NumericalError &found)
     {
-      // The melt is judged only when its next step begins.
+      // Found within a step or just after it; the state before that step is good in either case.
       trouble = found.what(), good = std::max(world.steps - 1, 0L);
     }
     return trouble.empty() ? complete() : fail(trouble, good, stop_asked);
