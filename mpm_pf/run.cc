@@ -54,8 +54,8 @@ namespace
     void measure_memory();
     bool after_step(const std::function<bool()> &stop_asked);
     int march(const std::function<bool()> &stop_asked);
-    void rerun_to_last_good_step(long steps, const std::function<bool()> &stop_asked);
-    int fail(const std::string &what, long good, const std::function<bool()> &stop_asked);
+    void rerun_to_last_good_step(const std::function<bool()> &stop_asked);
+    int fail(const std::string &what, const std::function<bool()> &stop_asked);
     int abandon(const std::string &what);
     int complete();
     record::Profile profile();
@@ -70,7 +70,8 @@ namespace
     record::RunCost cost;
     record::Stopwatch since_checkpoint;
     std::optional<record::Stopwatch> since_memory_check; // not before the first
-    std::optional<long> saved;                           // steps at the checkpoint of this run
+    bool saved = false;                                  // there is a checkpoint of this run
+    long good = 0;                                       // the last step that went well
     World world;
     std::map<std::string, double> held; // bytes by module, when they were most
     std::optional<record::Writer> writer;
@@ -92,13 +93,10 @@ namespace
   void Session::open(const bool resume)
   {
     const auto provenance = record::collect_provenance("mpm_pf", command.joined, command.threads);
-    const bool again = progress.has_value(); // a rerun
     if (!resume)
     {
       std::filesystem::create_directories(command.output);
-      // Again it replaces what the run was let replace.
-      writer.emplace(command.record_path(), provenance, scene, command.force || again);
-      saved.reset();
+      writer.emplace(command.record_path(), provenance, scene, command.force);
       recorder.emplace(scene, *writer);
       return;
     }
@@ -107,12 +105,12 @@ namespace
     world.time = from.number("time");
     world.steps = static_cast<long>(from.number("steps"));
     restore(world, from);
-    if (!again)
+    if (!progress) // else it is a rerun, which is no start
       cost.resume(from);
     writer.emplace(command.record_path(), provenance, scene, record::Writer::Resume{world.time});
     recorder.emplace(scene, *writer);
     recorder->restore(from, world.time);
-    saved = world.steps;
+    saved = true;
   }
 
   void Session::save()
@@ -120,7 +118,7 @@ namespace
     writer->flush();
     save_checkpoint(world, *recorder, profile(), record::checkpoint_path(command.record_path()));
     since_checkpoint = {};
-    saved = world.steps;
+    saved = true;
   }
 
   void Session::measure_memory()
@@ -144,6 +142,7 @@ namespace
 
   bool Session::after_step(const std::function<bool()> &stop_asked)
   {
+    good = world.steps;
     progress->set_end(expected_end(world));
     progress->update(world.time, "step " + std::to_string(world.steps));
     if (!since_memory_check || since_memory_check->wall_seconds() > memory_check_interval_s)
@@ -154,29 +153,27 @@ namespace
     return !stop;
   }
 
-  /// Once more from the last checkpoint, or from the start if that holds the trouble already, to
-  /// the state before it: the same scene gives the same bits, so a run that goes well need not keep
-  /// its states.
-  void Session::rerun_to_last_good_step(const long steps, const std::function<bool()> &stop_asked)
+  /// Once more from the last checkpoint, or from the start, to the state before the trouble: the
+  /// same scene gives the same bits, so a run that goes well need not keep its states. No
+  /// checkpoint is later than the last good step, since only good steps come to after_step().
+  void Session::rerun_to_last_good_step(const std::function<bool()> &stop_asked)
   {
     recorder.reset(), writer.reset();
     world = World{}; // two at once might not find room
     world = build_world(scene, command.threads, command.force);
-    open(saved && *saved <= steps);
-    simulate(world, *recorder,
-             [&](const World &now) { return now.steps < steps && !stop_asked(); });
+    open(saved);
+    simulate(world, *recorder, [&](const World &now) { return now.steps < good && !stop_asked(); });
     scene::Probe probe;
     probe.name = last_good;
     observe(scene::SnapshotProbe{}, probe, world, *writer);
   }
 
-  int Session::fail(const std::string &what, const long good,
-                    const std::function<bool()> &stop_asked)
+  int Session::fail(const std::string &what, const std::function<bool()> &stop_asked)
   {
     progress->finish("failed");
     std::cerr << "mpm_pf: " << what << "\nGoing back to the last good state ...\n";
     const record::Profile spent = profile();
-    rerun_to_last_good_step(good, stop_asked);
+    rerun_to_last_good_step(stop_asked);
     writer->finish(spent, "failed: " + what);
     forget_checkpoint();
     std::cerr << "The record keeps what came before and, as snapshot \"" << last_good
@@ -242,7 +239,6 @@ namespace
   int Session::march(const std::function<bool()> &stop_asked)
   {
     std::string trouble;
-    long good = 0;
     try
     {
       if (!simulate(world, *recorder, [&](const World &) { return after_step(stop_asked); }))
@@ -251,16 +247,11 @@ namespace
         return record::interrupted;
       }
     }
-    catch (const solid::NumericalError &found)
-    {
-      trouble = found.what(), good = world.steps;
-    }
     catch (const medium::NumericalError &found)
     {
-      // Found within a step or just after it; the state before that step is good in either case.
-      trouble = found.what(), good = std::max(world.steps - 1, 0L);
+      trouble = found.what();
     }
-    return trouble.empty() ? complete() : fail(trouble, good, stop_asked);
+    return trouble.empty() ? complete() : fail(trouble, stop_asked);
   }
 
   int Session::go(const std::function<bool()> &stop_asked)

@@ -58,6 +58,9 @@ namespace
       visit("angle/x", o.gradients.x), visit("angle/y", o.gradients.y);
       visit("angle/xy", o.gradients.xy), visit("angle/last", o.gradients.last);
     }
+    // The next step finds it anew; a snapshot of this state shows it.
+    if (world.melt_moves)
+      visit("velocity/x", world.velocity->x), visit("velocity/y", world.velocity->y);
   }
 } // namespace
 
@@ -81,6 +84,7 @@ void save(const World &world, record::CheckpointTarget &checkpoint)
 
 void restore(World &world, const record::Checkpoint &checkpoint)
 {
+  world.melt_moves = checkpoint.has("velocity/x");
   for_each_field(world, [&](const std::string &name, Field<double> &field)
                  { get(checkpoint, name, *world.mesh, field); });
   if (world.advection && world.heat)

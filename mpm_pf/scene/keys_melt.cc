@@ -32,7 +32,8 @@ namespace scene
                "absent: kinetics-free, checked to 1 %")
           .add("laplacian", &Growth::laplacian, any(), "Stencil of the Laplacian.",
                "the nine-point one is isotropic and allows a larger step")
-          .add("precision", &Growth::precision, any(), "Numbers in which the fields are kept.",
+          .add("precision", &Growth::precision, any(),
+               "Numbers in which growth and heat are advanced.",
                "float halves the memory traffic; its error is measured in the report")
           .add(
               "step_fraction", &Growth::step_fraction, up_to(0.95),
@@ -88,7 +89,8 @@ namespace scene
           .add("seed", &Noise::seed, any(), "Key of the counter-based generator.",
                "the same noise in every run, for any number of threads")
           .add("mirrored", &Noise::mirrored, any(),
-               "Noise mirrored at symmetry sides (or about the domain's middle).",
+               "Noise mirrored at symmetry sides (or about the domain's middle). Outer sides of a "
+               "quarter are no_flux for it to be the quarter of a whole.",
                "a quarter of a noisy dendrite is a quarter only if its noise is mirrored")
           .optional();
     }

@@ -13,7 +13,9 @@ namespace scene
           .add("travel", &Wall::travel, not_negative(Dimension::length),
                "Inward travel at which it stops.", "a wall at rest")
           .add("start_distance", &Wall::start_distance, not_negative(Dimension::length),
-               "Gap between wall and phi = 0 at which it starts.",
+               "Gap between wall and phi = 0 at which it starts. Contact itself comes early by up "
+               "to "
+               "a cell: a gap of less than that is not resolved.",
                "absent: 8 phase_field.width, unless start_time is given; a tip never touches a "
                "wall at rest, since its heat fills the gap")
           .add("start_time", &Wall::start_time, not_negative(Dimension::time),

@@ -83,11 +83,11 @@ namespace scene
                    " 2, ... by its place among all [[" + name + "]]")
           .add("on", &Input::on, any(), "A side of the bodies' common bounding box.",
                "absent: segment or region says where")
-          .add(
-              "segment", &Input::segment, any(Dimension::length),
-              "The part of the outline on this segment; mpm_pf holds only segments along x or y, a "
-              "slanted one by a region.",
-              "absent: on or region says where")
+          .add("segment", &Input::segment, any(Dimension::length),
+               "The part of the outline on this segment. A support of mpm_pf takes only segments "
+               "along "
+               "x or y, a slanted one by a region; tractions take any.",
+               "absent: on or region says where")
           .add("region", &Input::region, any(Dimension::length), region,
                "absent: on or segment says where")
           .exclusive({"on", "segment", "region"}, true);
@@ -127,7 +127,9 @@ namespace scene
     {
       return Keys<BodyForce>("body_force", "A force on all material, as gravity.")
           .require("acceleration", &BodyForce::acceleration, any(Dimension::acceleration),
-                   "Force per mass, in x and y.", "")
+                   "Force per mass of the true density, in x and y: with mpm.mach the weight stays "
+                   "what it is, and what falls freely falls more slowly.",
+                   "")
           .optional();
     }
   } // namespace
