@@ -54,8 +54,8 @@ namespace fe
       State last, now;
       SteppingState stepping;
       NewtonReport report;
-      int unstable = 0; // equilibria in a row
-      std::optional<double> unstable_from, unstable_since;
+      // Time of an unstable equilibrium that none but such have followed; of the first of two.
+      std::optional<double> suspect = {}, unstable_since = {};
 
       double target_time(double wanted) const;
       bool attempt(double time, bool carried);
@@ -73,11 +73,12 @@ namespace fe
     // One tangent alone may be that of an iterate on which points switch between yielding or not.
     void March::watch_stability()
     {
-      unstable = report.determinant_sign < 0 ? unstable + 1 : 0;
-      if (unstable == 1)
-        unstable_from = now.time;
-      if (unstable == 2 && !unstable_since)
-        unstable_since = unstable_from;
+      if (report.determinant_sign >= 0)
+        suspect.reset();
+      else if (!suspect)
+        suspect = now.time;
+      else if (!unstable_since)
+        unstable_since = suspect;
     }
 
     // Not past the next sampling time or the end, nor just short of it.
@@ -166,8 +167,7 @@ namespace fe
                          const SteppingOptions &options, SteppingState stepping)
   {
     const double nominal = options.end / options.load_steps;
-    March march{problem, system, options, nominal, std::move(initial), {}, std::move(stepping),
-                {},      0,      {},      {}};
+    March march{problem, system, options, nominal, std::move(initial), {}, std::move(stepping), {}};
     march.now = march.last;
     if (march.stepping.steps == 0)
     {

@@ -69,6 +69,7 @@ namespace scene
       }
       return moved;
     }
+
     // A circle about a point of the side is its own mirror image, and the way from a point of the
     // domain out to a circle about a point beyond does not lead over the side.
     bool is_as_near_in_the_domain(const Body &body, const Domain &domain, const Edge side,
@@ -79,9 +80,9 @@ namespace scene
       if (!disc && !ring)
         return false;
       const int k = static_cast<int>(side), axis = k / 2;
-      const double beyond = k % 2 == 0
-                                ? domain.lower[axis] - (disc ? disc->centre : ring->centre)[axis]
-                                : (disc ? disc->centre : ring->centre)[axis] - domain.upper()[axis];
+      const double centre = (disc ? disc->centre : ring->centre)[axis];
+      const double beyond =
+          k % 2 == 0 ? domain.lower[axis] - centre : centre - domain.upper()[axis];
       return disc ? beyond >= -tolerance : std::abs(beyond) <= tolerance;
     }
 

@@ -154,18 +154,17 @@ namespace solid
       const DrivenPart &part = supports.driven_parts[n][c];
       double &velocity = c == 0 ? grid.velocity[n].x : grid.velocity[n].y;
       const double mass = grid.mass[n] - part.mass;
+      const double before = mass > 0. ? (grid.nodes[n].momentum()[c] - part.momentum) / mass : v;
       if (count_reaction)
       {
         const double impulse = mass * v - (grid.mass[n] * velocity - part.momentum - part.impulse);
         Support &support = supports.all[region.support];
         support.impulse[c] += impulse, support.call_impulse[c] += impulse;
-        const double before = mass > 0. ? (grid.nodes[n].momentum()[c] - part.momentum) / mass : v;
         const double work = 0.5 * impulse * (v + before);
         supports.work += work, supports.work_done += std::abs(work);
       }
       if (!grid.change.empty())
-        (c == 0 ? grid.change[n].x : grid.change[n].y) =
-            v - (mass > 0. ? (grid.nodes[n].momentum()[c] - part.momentum) / mass : v);
+        (c == 0 ? grid.change[n].x : grid.change[n].y) = v - before;
       grid.nodes[n].motion[2 * c] = grid.mass[n] * v;
       velocity = v;
     }

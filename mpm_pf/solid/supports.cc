@@ -193,12 +193,12 @@ namespace solid
     for (int c = 0; c < 2; ++c)
       if (held[c])
       {
+        const double before = mass > 0. ? node.momentum()[c] / mass : v[c];
         impulse[c] = mass * (v[c] - now[c]);
-        work += 0.5 * impulse[c] * (v[c] + (mass > 0. ? node.momentum()[c] / mass : v[c]));
+        work += 0.5 * impulse[c] * (v[c] + before);
         now[c] = v[c];
         if (!grid.change.empty())
-          (c == 0 ? grid.change[n].x : grid.change[n].y) =
-              v[c] - (mass > 0. ? node.momentum()[c] / mass : v[c]);
+          (c == 0 ? grid.change[n].x : grid.change[n].y) = v[c] - before;
         node.motion[2 * c] = mass * v[c];
       }
     velocity = {now[0], now[1]};
