@@ -1,14 +1,19 @@
 #!/usr/bin/python3
-"""The result table of a campaign as Markdown, for the README.
+"""The checks of a campaign as Markdown, one row a check: case, check, value, limit, unit, status.
 
-    postprocess/table.py RESULTS_DIR [CASE ...]     prints one row a check: case, check, value, limit, status
+    postprocess/table.py RESULTS_DIR [CASE ...]       prints the rows of these cases (of all)
+    postprocess/table.py RESULTS_DIR --refresh FILE   writes the values of today into the rows that FILE already has
 
-Exit codes: 0 printed, 2 bad input, 4 the folder holds no verdict.
+Exit codes: 0 printed or written, 2 bad input, 4 the folder holds no verdict.
 """
 
+import re
 import sys
+from pathlib import Path
 
-from written import folder_of, program, read_json
+from written import Unusable, folder_of, program, read_json
+
+HEAD = "| case | check | value | limit | unit | |"
 
 
 def number(value):
@@ -34,7 +39,32 @@ def rows(folder):
                unit_of(check), check["status"])
 
 
+def line(row):
+    return "| " + " | ".join(row) + " |"
+
+
+def refreshed(text, found):
+    """`text` with its rows of checks (below lines HEAD) as `found`, rows by (case, check), has them; their choice and order stay."""
+    lines, inside = text.split("\n"), False
+    for i, old in enumerate(lines):
+        inside = old == HEAD or (inside and old.startswith("|"))
+        if not inside or old == HEAD or re.match(r"\|-", old):
+            continue
+        case, check = (cell.strip() for cell in old.split("|")[1:3])
+        if (case, check) not in found:
+            raise Unusable(f"the campaign has no check \"{check}\" of {case}; take its row out, or run that case")
+        lines[i] = line(found[case, check])
+    return "\n".join(lines)
+
+
 def main(arguments):
+    file = None
+    if "--refresh" in arguments:
+        at = arguments.index("--refresh")
+        if at != 1 or len(arguments) != 3:
+            print(__doc__)
+            return 2
+        file, arguments = Path(arguments[2]), arguments[:1]
     if not arguments:
         print(__doc__)
         return 2
@@ -44,10 +74,14 @@ def main(arguments):
         print(f"table: {results} holds no <case>/verdict.json: no campaign was run there", file=sys.stderr)
         return 4
     lines = [row for case in cases for row in rows(results / case)]  # all of them before the first is printed
-    print("| case | check | value | limit | unit | |")
-    print("|---|---|---|---|---|---|")
-    for row in lines:
-        print("| " + " | ".join(row) + " |")
+    if file is None:
+        print("\n".join([HEAD, "|---|---|---|---|---|---|", *map(line, lines)]))
+        return 0
+    try:
+        old = file.read_text(encoding="utf-8")
+    except OSError as error:
+        raise Unusable(f"{file} cannot be read ({error.strerror})") from None
+    file.write_text(refreshed(old, {row[:2]: row for row in lines}), encoding="utf-8")
     return 0
 
 

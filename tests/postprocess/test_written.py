@@ -58,6 +58,19 @@ class Programs(Folders):
         self.write("bar/verdict.json", "{half a fi")
         self.refused(2, "cannot be read", "table.py", self.folder)
 
+    def test_of_the_table_refresh_the_rows_that_a_page_has_chosen(self):
+        self.write("bar/verdict.json", {"checks": [CHECK, {**CHECK, "name": "middle"}]})
+        head = "Words.\n\n| case | check | value | limit | unit | |\n|---|---|---|---|---|---|\n"
+        other = "\n| bar | tip | of another table |\n"
+        self.write("page.md", head + "| bar | tip | 0.7 | 1 | - | **fail** |\n" + other)
+        page = self.folder / "page.md"
+        self.assertEqual(program("table.py", self.folder, "--refresh", page), (0, "", ""))
+        self.assertEqual(page.read_text(), head + "| bar | tip | 0.5 | 1 | - | pass |\n" + other)
+        self.write("page.md", head + "| bar | end | 0.7 | 1 | - | pass |\n")
+        self.refused(2, 'no check "end" of bar', "table.py", self.folder, "--refresh", page)
+        self.assertIn("| 0.7 |", page.read_text())
+        self.refused(2, "none.md cannot be read", "table.py", self.folder, "--refresh", self.folder / "none.md")
+
     def test_of_single_pictures_know_what_was_measured(self):
         picture = self.folder / "a.svg"
         self.write("tradeoff/bar.json", {"measures": []})
