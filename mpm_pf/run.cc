@@ -92,7 +92,9 @@ namespace
 
   void Session::open(const bool resume)
   {
-    const auto provenance = record::collect_provenance("mpm_pf", command.joined, command.threads);
+    auto provenance = record::collect_provenance("mpm_pf", command.joined, command.threads);
+    if (scene.noise)
+      provenance["seed"] = std::to_string(scene.noise->seed);
     if (!resume)
     {
       std::filesystem::create_directories(command.output);

@@ -6,9 +6,9 @@
 
 namespace record
 {
-  /// Name -> value: program, version, commit, dirty, compiler, flags, build_type, threads, seed,
+  /// Name -> value: program, version, commit, dirty, compiler, flags, build_type, threads,
   /// host cpu, command line, start time (UTC), library versions. Filled by collect_provenance(); a
-  /// solver may add its own.
+  /// solver adds its own: processes, seed of the noise, versions of its libraries.
   using Provenance = std::map<std::string, std::string>;
 
   /// `program` as in "mpm_pf"; `command` the argv joined; `threads` in use.

@@ -78,6 +78,11 @@ class Page(unittest.TestCase):
                 for name, where in names_in(record).items():
                     self.assertIn(headings.get(name, general(name)) if where == "/" else general(name), NAMES, f"{program}, {case}: {where}")
 
+    def test_tells_of_the_seed_where_there_is_noise(self):
+        for case, there in (("noise", True), ("free_growth", False)):
+            with h5py.File(self.folder / "results" / case / "mpm_pf.h5") as record:
+                self.assertEqual("seed" in record["provenance"].attrs, there, case)
+
     def test_has_the_units_that_stand_there(self):
         with h5py.File(self.folder / "results/compress_dendrite/mpm_pf.h5") as record:
             group = record["tables/melt"]
