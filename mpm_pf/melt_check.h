@@ -4,5 +4,5 @@
 #include "world.h"
 
 /// Throws medium::NumericalError, naming field and place, if the phase field has left its bounds
-/// (|phi| < 2) or a temperature is not finite.
+/// (|phi| < 2) or a temperature is not finite. Looks only where the last step can have written.
 void check_melt(const World &);
