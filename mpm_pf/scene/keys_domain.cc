@@ -36,7 +36,9 @@ namespace scene
                "most scenes start at the origin")
           .require("size", &Domain::size, positive(Dimension::length), "Width and height.", "")
           .require("cells", &Domain::cells, between(1, 100000),
-                   "Number of cells in x and y (cells, not nodes).", "")
+                   "Number of cells in x and y (cells, not nodes); fields and walls want three at "
+                   "least, two moving walls five between them.",
+                   "")
           .chosen_by("accuracy")
           .add("boundary", &Domain::boundary, any(),
                "Condition on all sides, or side by side: no_flux (no gradient across, material "

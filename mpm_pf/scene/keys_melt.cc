@@ -40,7 +40,8 @@ namespace scene
               "Step as a part of the explicit limit, the smaller of Eq. (1)'s and Eq. (2)'s alone; "
               "latent heat couples them, and together they are stable up to 0.97 of it.",
               "margin for the nonlinear terms")
-          .add("step", &Growth::step, positive(Dimension::time), "The growth step itself.",
+          .add("step", &Growth::step, positive(Dimension::time),
+               "The growth step itself; shorter where a probe, a wall or the end comes first.",
                "absent: step_fraction sets it")
           .add("tiles", &Growth::tiles, any(), "Work only where something happens.",
                "the answer is the same, the cost follows the interface")

@@ -44,7 +44,8 @@ namespace scene
                  "Are the positions of a line or point current (x, y), or material (X, Y)? Fields "
                  "of the melt are always taken at current positions.",
                  "absent: current for lines, material for points of a solid")
-            .add("of", &P::of, any(), "Quantities to record.",
+            .add("of", &P::of, any(),
+                 "Quantities to record; a snapshot of mpm_pf always has the melt's fields.",
                  "absent: all that the modules of the scene know")
             .add("times", &P::times, not_negative(Dimension::time), "Times to record, increasing.",
                  "absent, and every too: the end for lines, outlines and snapshots, 200 samples "
