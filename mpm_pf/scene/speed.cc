@@ -38,18 +38,25 @@ namespace scene
     }
   } // namespace
 
+  std::vector<double> uneven_times(const double end, const int count)
+  {
+    constexpr double golden = 0.6180339887498949;
+    std::vector<double> times;
+    for (int k = 1; k < count; ++k)
+      times.push_back(end / count * (k + 0.5 * std::fmod(k * golden, 1.) - 0.25));
+    times.push_back(end);
+    return times;
+  }
+
   double largest_speed(const std::function<Point(double)> &at, const double end)
   {
     constexpr int samples = 400;
     constexpr std::size_t followed = 8;
-    constexpr double golden = 0.6180339887498949;
     std::vector<Interval> list;
     double last = 0.;
     Point from = at(0.);
-    for (int k = 1; k <= samples; ++k)
+    for (const double t : uneven_times(end, samples))
     {
-      const double t =
-          k == samples ? end : end / samples * (k + 0.5 * std::fmod(k * golden, 1.) - 0.25);
       const Point to = at(t);
       list.push_back({last, t, from, to});
       last = t, from = to;

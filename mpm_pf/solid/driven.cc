@@ -4,7 +4,8 @@
 // Their share of the nodes' masses, momenta and forces is known and is taken out of the momentum
 // balance (driven_sides.cc), and they ride where they are told. So the support is charged by point,
 // exactly: m (v - v_old) - dt m b of momentum and
-// m (v^2 - v_old^2)/2 - dt m b.v + dt V sigma:C of work, with the prescribed velocity gradient C.
+// m (v^2 - v_old^2)/2 - dt m b.v + dt V sigma:C of work, with the prescribed velocity gradient C
+// taken to the mid configuration as the strains are (stress.h), so that turning costs no work.
 #include <Eigen/LU>
 
 #include "scene/speed.h"
@@ -46,6 +47,12 @@ namespace solid
             cover.weight += w, cover.velocity += w * (v + C * d);
             cover.origin += w * (X + back * d), cover.slope += w * back;
           }
+    }
+
+    // C (I + dt C/2)^-1, whose symmetric part vanishes in a rigid rotation; stress.h.
+    Matrix at_mid_step(const Matrix &C, const double dt)
+    {
+      return C * (Matrix::Identity() + 0.5 * dt * C).inverse();
     }
 
     struct Account
@@ -99,16 +106,20 @@ namespace solid
         const Matrix stressed = stress(p);
         Matrix gradient_before;
         gradient_before << points.lxx[p], points.lxy[p], points.lyx[p], points.lyy[p];
+        Matrix gradient = gradient_before; // of a component that is free
+        for (int c = 0; c < 2; ++c)
+          if (point.support[c] >= 0)
+            gradient.row(c) = point.gradient.row(c);
+        const Matrix strained =
+            0.5 * (at_mid_step(gradient, dt) + at_mid_step(gradient_before, dt));
         for (int c = 0; c < 2; ++c)
           if (point.support[c] >= 0)
           {
             Support &support = supports.all[point.support[c]];
             const double impulse = points.mass[p] * (v[c] - before[c]) - pushed[c];
-            const Eigen::RowVector2d strained =
-                0.5 * (point.gradient.row(c) + gradient_before.row(c));
             const double work = 0.5 * points.mass[p] * (v[c] * v[c] - before[c] * before[c]) -
                                 0.5 * pushed[c] * (v[c] + before[c]) +
-                                stressed.row(c).dot(strained);
+                                stressed.row(c).dot(strained.row(c));
             support.impulse[c] += impulse, support.call_impulse[c] += impulse;
             supports.work += work, supports.work_done += std::abs(work);
             supports.speed = std::max(supports.speed, std::abs(v[c]));

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "scene/speed.h"
 #include "scene/value.h"
 #include "solid/support_builder.h"
 
@@ -44,12 +45,12 @@ namespace solid
     {
       if (support.motion.uniform || !support.motion.holds(line.axis))
         return;
-      for (int k = 0; k <= 20; ++k)
+      for (const double time : scene::uneven_times(build.scene.clock.end, 200))
       {
         double lowest = std::numeric_limits<double>::max(), highest = -lowest;
         for (const Point &X : support.corners)
         {
-          const double u = support.motion.at(X, X, build.scene.clock.end * k / 20.)[line.axis];
+          const double u = support.motion.at(X, X, time)[line.axis];
           lowest = std::min(lowest, u), highest = std::max(highest, u);
         }
         if (highest - lowest > 0.25 * build.dx)
