@@ -22,10 +22,11 @@ class Claim:
     measured: str
 
 
-def judge(sentence, seen, measured, because="", applies=True):
-    """A claim; `because` is the reason for not seeing it, said only where the record bears it out (`applies`)."""
+def judge(sentence, seen, measured, because="", applies=True, said="seen"):
+    """A claim; `because` is the reason for not seeing it, said only where the record bears it out (`applies`);
+    `said`: of what is seen, with its bounds."""
     why = f"differs because {because}" if because and applies else "not seen"
-    return Claim(sentence, "seen" if seen else why, measured)
+    return Claim(sentence, said if seen else why, measured)
 
 
 def scales_of(run):
@@ -48,7 +49,9 @@ class Compressed:
         lower = np.array(run.scene["domain"].get("origin", [0.0, 0.0]))
         size = np.array(run.scene["domain"]["size"])
         middle = lower if compression.is_quarter(run) else lower + size / 2
-        self.x, self.y = np.abs(solid.vertex - middle).T / length  # one quarter stands for all
+        self.vertex = (solid.vertex - middle) / length
+        self.x, self.y = np.abs(self.vertex).T  # one quarter stands for all
+        self.inwards = -np.sign(self.vertex[:, 1]) * solid.fields["displacement_y"] / length
         self.von_mises, self.plastic = solid.fields["von_mises"] / stress, solid.fields["plastic_strain"]
         melt = compression.nearest_snapshot(run, "phi", time, "grid")
         self.gx, self.gy = np.meshgrid((melt.x - middle[0]) / length, (melt.y - middle[1]) / length)
@@ -110,7 +113,20 @@ def of_figure12(results):
 def of_smooth_dendrite(run, free=None):
     """The claims about Fig. 12 (contact, 5, 10, 15 % compression, no noise); `free`: the same growth without compression."""
     states = [Compressed(run, c) for c in (0.0, 0.05, 0.10, 0.15)]
-    return of_flow(states, ahead_of(free, run)) + of_stress(states) + of_turning(states[-1])
+    return [of_walls(run, 0.15)] + of_flow(states, ahead_of(free, run)) + of_stress(states) + of_turning(states[-1])
+
+
+def of_walls(run, share):
+    """How far walls and tips go from contact on to a compression."""
+    length, _ = scales_of(run)
+    melt, tip = (next(t for t in map(run.table, run.names("tables")) if column in t.columns) for column in ("wall_top_position", "position"))
+    start, end = (compression.time_of(run, c) for c in (0.0, share))
+    wall, arm = (abs(np.ptp(np.interp([start, end], t.time, t[column]))) / length for t, column in ((melt, "wall_top_position"), (tip, "position")))
+    return judge(
+        "the walls move about as fast as the dendrite's tips grow, as the tips of the horizontal arms show",
+        0.7 * wall < arm < 1.4 * wall,
+        f"from contact to {100 * share:g} % a wall goes {wall:.1f} W0, the horizontal tip {arm:.1f} W0",
+    )
 
 
 def of_flow(states, ahead):
@@ -123,6 +139,7 @@ def of_flow(states, ahead):
     side = last.x > 0.5 * reach
     depth = [s.plastic_depth() for s in states[1:]]
     unmoved = not ahead or max(np.abs(ahead[:2])) < 0.5 * five.spacing
+    lasts = not ahead or abs(ahead[2]) < 0.5 * five.spacing
     beside = f"; tip ahead of the one without compression by {listed(ahead, 2)} W0 at 5, 10, 15 %" if ahead else ""
     return [
         judge(
@@ -141,6 +158,7 @@ def of_flow(states, ahead):
             f"largest plastic strain in their outer half {last.plastic[side].max():.1e}" + beside,
             "the melt that the vertical arms push aside carries the tips along before 10 %",
             not unmoved,
+            "seen" if lasts else "seen to 10 %, beyond it the melt that is pushed aside carries the tips along",
         ),
         judge(
             "with increasing compression the plastic regions extend further towards the centre",

@@ -73,7 +73,10 @@ def image_of(run, field, time):
     snapshot = nearest_snapshot(run, field, time)
     if snapshot.kind == "points":
         lower, spacing, shape = panels.background_mesh(run)
-        values = panels.point_means(snapshot.vertex, snapshot.fields[field], lower, spacing, shape)
+        means = panels.point_means(snapshot.vertex, snapshot.fields[field], lower, spacing, shape)
+        phi = nearest_snapshot(run, "phi", time, "grid").fields["phi"]
+        inside = 0.25 * (phi[1:, 1:] + phi[:-1, 1:] + phi[1:, :-1] + phi[:-1, :-1]) > 0
+        values = np.where(inside & np.isnan(means), panels.filled_once(means), means)  # cells that no point happens to be in
         if field == "von_mises":
             values = values / (run.scene["solid"].get("yield_stress") or 1.0)
         x = lower[0] + spacing[0] * (np.arange(shape[1]) + 0.5)
@@ -92,6 +95,27 @@ def image_of(run, field, time):
     x = np.concatenate([-x[::-1][: len(x) - first], x])
     y = np.concatenate([-y[::-1][: len(y) - first_y], y])
     return x, y, values
+
+
+def walls_of(run, time):
+    """Where the moving walls stand: {"top": y, "left": x, ...}, of a quarter with their mirror images."""
+    names = {side: f"wall_{side}_position" for side in ("left", "right", "bottom", "top")}
+    found = {}
+    for table in map(run.table, run.names("tables")):
+        found |= {side: float(np.interp(time, table.time, table[name])) for side, name in names.items() if name in table.columns}
+    if is_quarter(run):
+        opposite = {"top": "bottom", "bottom": "top", "left": "right", "right": "left"}
+        found |= {opposite[side]: -at for side, at in found.items()}
+    return found
+
+
+def draw_walls(axes, walls):
+    """The walls' faces, and grey behind them, to the ends of the axes."""
+    limits = {"left": axes.get_xlim()[0], "right": axes.get_xlim()[1], "bottom": axes.get_ylim()[0], "top": axes.get_ylim()[1]}
+    for side, at in walls.items():
+        span, line = (axes.axvspan, axes.axvline) if side in ("left", "right") else (axes.axhspan, axes.axhline)
+        span(at, limits[side], facecolor="#c9ced4", edgecolor="none", zorder=3)
+        line(at, color="black", linewidth=0.5, zorder=3)
 
 
 def closed(phi):
@@ -126,6 +150,8 @@ def field_table(run, compressions, below=verdict):
         len(times), 4, figsize=(style.DOUBLE, len(times) * panel * height / width + 0.55), layout="constrained"
     )
 
+    extend = {field: panels.beyond(norms[field], [images[row, field][2] for row in times]) for field in FIELDS if field != "phi"}
+
     def draw(one, row, field):
         x, y, values = images[row, field]
         drawn = panels.image(one, x, y, values, norm=norms[field], cmap=style.MAPS[field])
@@ -133,9 +159,10 @@ def field_table(run, compressions, below=verdict):
         if field != "phi":
             one.contour(px, py, closed(phi), [0.0], colors="black", linewidths=0.25)
         one.set(xlim=(px[0], px[-1]), ylim=(py[0], py[-1]))
+        draw_walls(one, walls_of(run, times[row]))
         return drawn
 
-    panels.field_table(figure, axes, list(times), FIELDS, draw, names_of(run))
+    panels.field_table(figure, axes, list(times), FIELDS, draw, names_of(run), extend)
     scale_bar(axes[0, 0], run)
     if below(run):
         figure.supxlabel(below(run), fontsize=6.5)

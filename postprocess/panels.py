@@ -80,6 +80,13 @@ def norm_of(arrays, low=None, high=None):
     return colors.Normalize(low, high if high > low else low + 1)
 
 
+def beyond(norm, arrays):
+    """Which ends of a colour bar want an arrow, because values lie beyond them: extend= of a colour bar."""
+    slack = 1e-6 * (norm.vmax - norm.vmin)
+    below, above = min(np.nanmin(a) for a in arrays) < norm.vmin - slack, max(np.nanmax(a) for a in arrays) > norm.vmax + slack
+    return {(False, False): "neither", (True, False): "min", (False, True): "max", (True, True): "both"}[bool(below), bool(above)]
+
+
 def point_means(vertex, values, lower, spacing, shape):
     """Mean of point values in each cell of a regular mesh (ny, nx); NaN where there are no points."""
     i = np.clip(((vertex[:, 0] - lower[0]) / spacing[0]).astype(int), 0, shape[1] - 1)
@@ -206,10 +213,10 @@ def scale_bar(axes, unit, name, side="left"):
     axes.text(x + 0.5 * length * unit, y + 0.03 * (high - low), f"{length:g} {name}", ha="center", va="bottom", fontsize=6, path_effects=halo)
 
 
-def field_table(figure, axes, rows, columns, draw, names=style.NAMES):
+def field_table(figure, axes, rows, columns, draw, names=style.NAMES, extend=None):
     """A table of field panels as in Figs. 12 and 13: draw(axes, row, column) -> mappable.
 
-    One colour bar below each column, made from the last mappable of that column.
+    One colour bar below each column, made from the last mappable of that column; `extend[column]`: its arrows.
     """
     for c, column in enumerate(columns):
         for r, row in enumerate(rows):
@@ -217,6 +224,6 @@ def field_table(figure, axes, rows, columns, draw, names=style.NAMES):
             axes[r, c].set(xticks=[], yticks=[], aspect="equal")
             for side in axes[r, c].spines.values():
                 side.set(linewidth=0.4, color=style.GREY)
-        colour_bar(figure, mappable, axes[:, c], names.get(column, column), location="bottom")
+        colour_bar(figure, mappable, axes[:, c], names.get(column, column), location="bottom", extend=(extend or {}).get(column, "neither"))
     for r, row in enumerate(rows):
         axes[r, 0].set_ylabel(row, labelpad=2)

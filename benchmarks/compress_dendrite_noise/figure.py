@@ -36,15 +36,15 @@ def figure14(results):
     curves = []
     px, py, phi = compression.image_of(run, "phi", time)
     middle = np.array([0.5 * (px[0] + px[-1]), 0.5 * (py[0] + py[-1])])
-    reach = 0.17 * (py[-1] - py[0])
+    reach = 0.23 * (py[-1] - py[0])
     for one, field in zip(axes, ("phi", "von_mises")):
         x, y, values = compression.image_of(run, field, time)
         near = np.ix_(np.abs(y - middle[1]) < reach, np.abs(x - middle[0]) < reach)
-        norm = panels.norm_of([values[near]], -1 if field == "phi" else 0, 1 if field == "phi" else None)
+        norm = panels.norm_of([values[near]], -1 if field == "phi" else 0, 1)
         drawn = panels.image(one, x, y, values, norm=norm, cmap=style.MAPS[field])
         lines = one.contour(px, py, compression.closed(phi), [0.0], colors="black", linewidths=0.4)
         one.set(xlim=middle[0] + np.array([-reach, reach]), ylim=middle[1] + np.array([-reach, reach]))
-        panels.plain(one)
+        one.set(aspect="equal", xticks=[], yticks=[])
         panels.colour_bar(figure, drawn, one, compression.names_of(run)[field], location="bottom")
     compression.scale_bar(axes[1], run, "right")
     figure.supxlabel(labels(run, 90), fontsize=6.5)

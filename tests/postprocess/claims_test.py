@@ -35,6 +35,10 @@ def to_metres_and_pascals(path, limit="yield_stress = 5e6"):
         last = name.split("/")[-1]
         if isinstance(item, h5py.Dataset) and (last in ("x", "y", "vertex") or name == "tables/tip/values"):
             item[...] = 1e-6 * item[...]
+        if last == "displacement_y":
+            item[...] = 1e-6 * item[...]
+        if name == "tables/melt/values":  # compression, wall_top_position
+            item[:, 1] = 1e-6 * item[:, 1]
         if last == "von_mises":
             item[...] = 5e6 * item[...]
 
@@ -65,7 +69,7 @@ class Verdicts(unittest.TestCase):
 
     def test_of_a_dendrite_whose_core_stays_elastic(self):
         found = self.of(claims.of_figure12)
-        self.assertEqual(len(found), 9)
+        self.assertEqual(len(found), 10)
         self.assertEqual(found["the shape of the horizontal arms is unaffected"], "seen")
         self.assertEqual(found["the stresses in the centre continually increase"], "seen")
         self.assertEqual(found["in the centre the yield stress is not reached at 15 %"], "seen")
@@ -91,7 +95,7 @@ class Verdicts(unittest.TestCase):
 
     def test_of_the_slender_dendrite(self):
         found = self.of(claims_slender.of_figures13_to_15, yields=4)
-        self.assertEqual(len(found), 7)
+        self.assertEqual(len(found), 11)
         self.assertEqual(found["at 30 % elastic stresses propagate into the horizontal arms"], "seen")
         self.assertEqual(found["at 20 % the centre starts to yield"], "not seen")  # 0.8 sigma_Y
         self.assertEqual(self.of(claims_slender.of_figures13_to_15, yields=6)["at 20 % the centre starts to yield"], "seen")
@@ -123,8 +127,22 @@ class Verdicts(unittest.TestCase):
                 [sys.executable, POSTPROCESS / "claims_table.py", folder], capture_output=True, text=True, check=True
             ).stdout
         rows = [line for line in said.splitlines() if line.startswith("| ")]
-        self.assertEqual(len(rows), 2 * 2 + 9 + 7)
+        self.assertEqual(len(rows), 2 * 2 + 10 + 11)
         self.assertTrue(all(row.count(" | ") == 2 for row in rows), said)
+
+
+class Flanks(unittest.TestCase):
+    def test_turn_where_the_swing_is_large_enough(self):
+        flank = np.array([5.0, 3.0, 3.2, 6.0, np.nan, 5.8, 4.0, 4.5, 4.1, 7.0])
+        self.assertEqual(claims_slender.turns(flank, 1.5), ([1, 6], [3]))
+        self.assertEqual(claims_slender.turns(flank, 10.0), ([], []))
+
+    def test_reach_to_the_outermost_crossing_of_their_quarter(self):
+        diamond = np.array([[3.0, 0.0], [0.0, 6.0], [-2.0, 0.0], [0.0, -6.0]])
+        inner = np.array([[1.0, 0.0], [0.0, 2.0], [-1.0, 0.0], [0.0, -2.0]])
+        widths = {signs: claims_slender.half_widths([diamond, inner], [2.0, 7.0], signs) for signs in claims_slender.QUARTERS}
+        for (x, _), found in widths.items():
+            np.testing.assert_allclose(found, [2.0 if x > 0 else 4.0 / 3.0, np.nan])
 
 
 class Asymmetry(unittest.TestCase):

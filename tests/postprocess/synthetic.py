@@ -215,6 +215,7 @@ def compressed_state(out, at, x, y, share, yields, swirl):
         np.column_stack([grid_x[solid], grid_y[solid]]),
         von_mises=np.minimum(1, yields * share + height[solid] ** 2),
         plastic_strain=share * 4 * height[solid] ** 8,
+        displacement_y=-grid_y[solid] * share / (1 - share),
     )
 
 
@@ -239,8 +240,8 @@ def compressed(folder, yields=3, carried=0.0, swirl=0.0):
     for case, run, scene, grid in cases:
         with Invented(folder, case, run, scene) as out:
             pressed = run != "free"
-            out.table("melt", time, compression=compression * pressed)
-            out.table("tip", time, position=160 + 0.09 * (time - 1000) + carried * compression * pressed)
+            out.table("melt", time, compression=compression * pressed, wall_top_position=160 * (1 - compression))
+            out.table("tip", time, position=160 + 0.16 * (time - 1000) + carried * compression * pressed)
             for share, at in STEPS:
                 turned = swirl if run == "whole" else 0.0
                 out.outline("contour", at, [crystal(150 + 60 * share, turned) * [1, 1 - share * pressed]])
