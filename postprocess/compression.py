@@ -60,8 +60,8 @@ def names_of(run):
 
 
 def scale_bar(axes, run, side="left"):
-    """A length in widths of the interface."""
-    panels.scale_bar(axes, run.scene["phase_field"]["width"], "$W_0$", side)
+    """A length in widths of the interface, above the walls."""
+    panels.scale_bar(axes, run.scene["phase_field"]["width"], "$W_0$", side, 0.12)
 
 
 def image_of(run, field, time):

@@ -200,14 +200,14 @@ def wall(axes, corner, size):
     axes.add_patch(patches.Rectangle(corner, *size, fill=False, hatch="//////", linewidth=0))
 
 
-def scale_bar(axes, unit, name, side="left"):
-    """A round length, about a fifth of the panel, in multiples of `unit`, in a lower corner; for panels without ticks."""
+def scale_bar(axes, unit, name, side="left", height=0.06):
+    """A round length, about a fifth of the panel, in multiples of `unit`, in a lower corner at a part of the panel's height; for panels without ticks."""
     (left, right), (low, high) = axes.get_xlim(), axes.get_ylim()
     most = 0.25 * (right - left) / unit
     power = 10.0 ** np.floor(np.log10(most))
     length = max(m for m in (1, 2, 5) if m * power <= most) * power
     halo = [patheffects.withStroke(linewidth=3, foreground="white")]
-    margin, y = 0.04 * (right - left), low + 0.06 * (high - low)
+    margin, y = 0.04 * (right - left), low + height * (high - low)
     x = left + margin if side == "left" else right - margin - length * unit
     axes.plot([x, x + length * unit], [y, y], color="black", lw=1.5, solid_capstyle="butt", path_effects=halo)
     axes.text(x + 0.5 * length * unit, y + 0.03 * (high - low), f"{length:g} {name}", ha="center", va="bottom", fontsize=6, path_effects=halo)

@@ -70,7 +70,7 @@ def asymmetry12(results):
             values = np.array([f[name] for f in found])
             one.plot(percent, np.maximum(values, FLOOR), "o-", color=colour, label=name)
             curves.append(panels.Curve(panel, name, percent, values))
-        one.axhline(limit, color=style.GREY, lw=0.7, ls="--")
+        one.axhline(limit, color=style.GREY, lw=0.7, ls="--", label="asked of the mirrors")
         one.set(yscale="log", xlabel="compression / %", ylabel=label, title=panel, ylim=(FLOOR / 3, 1))
     axes[0].legend(loc="lower right", title=f"{run.scene['domain']['cells'][0]} cells across")
     return figure, curves

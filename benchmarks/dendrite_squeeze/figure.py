@@ -1,5 +1,6 @@
 """What inertia costs: forces at both ends of the squeezed dendrite at three Mach numbers, beside finite elements."""
 
+import numpy as np
 from matplotlib import pyplot
 
 import panels
@@ -21,7 +22,7 @@ def squeeze_mach(results):
     except record.Missing:
         names.remove("mach_1e-3")
         runs = results.records("dendrite_squeeze", names)
-    figure, axes = pyplot.subplots(1, 2, figsize=(style.DOUBLE, 2.6), sharey=True, layout="constrained")
+    figure, axes = pyplot.subplots(1, 2, figsize=(style.DOUBLE, 2.9), sharey=True, layout="constrained")
     curves = []
     for one, (end, sign, panel) in zip(axes, (("top reaction", -1, "driven end"), ("bottom reaction", 1, "held end"))):
         entries = []
@@ -31,7 +32,10 @@ def squeeze_mach(results):
         curves += panels.line_overlay(one, panel, entries)
         one.set(xlabel=r"$t/\tau_0$", title=panel, ylim=(-10, 70))
     axes[0].set_ylabel(r"force / $\sigma_Y W_0$")
-    axes[1].legend(loc="upper left", frameon=True, facecolor="white", edgecolor="none", framealpha=0.9)
+    figure.legend(*axes[0].get_legend_handles_labels(), loc="lower center", ncols=len(RUNS))
+    figure.get_layout_engine().set(rect=(0, 0.09, 1, 0.91))
+    forces = np.concatenate([curve.y for curve in curves])
+    figure.suptitle(f"cut off at -10 and 70; forces at the largest Mach number reach {forces.min():.0f} and {forces.max():.0f}", fontsize=7)
     return figure, curves
 
 

@@ -16,6 +16,11 @@ def bar(run):
     return np.array(body["corner"]), np.array(body["size"])
 
 
+def marked(results, run):
+    """The same bar with phi as the marker of its boundary, where that was run: the paper's Figs. 8 and 10b; else the run itself."""
+    return results.optional("shear_marker", "mpm_pf") or run
+
+
 def initial_boundary(axes, run):
     """Contours of the first phi, or the first outline where the scene has no phase field."""
     try:
@@ -47,9 +52,10 @@ def figure8(results):
         left.annotate("", (start + way * 0.7, y), (start, y), arrowprops={"arrowstyle": "->", "lw": 1})
     panels.dimension(left, (x0, y0 + 0.35 * height), (x0 + width, y0 + 0.35 * height), "$L$", (0, 0.13))
     panels.dimension(left, (x0 - 0.75, y0), (x0 - 0.75, y0 + height), f"{height / width:g} $L$", (-0.25, 0))
-    lower, spacing, shape = panels.background_mesh(run)
+    with_phi = marked(results, run)
+    lower, spacing, shape = panels.background_mesh(with_phi)
     panels.mesh_lines(right, lower, spacing, shape, linewidths=0.12)
-    curves = initial_boundary(right, run)
+    curves = initial_boundary(right, with_phi)
     for axes in (left, right):
         axes.set(
             xlim=(lower[0], lower[0] + spacing[0] * shape[1]),
@@ -105,7 +111,7 @@ def figure10(results):
     label = {"contour": r"material points, $\phi = 0$", "outline": "material points, tracers"}
     theirs = elements.outline("outline", END)
     curves.append(panels.outlines(right, "shape", "finite elements", theirs, color=style.FINITE_ELEMENTS, lw=1.4))
-    name, ours = points.outline_of(BOUNDARIES, END)
+    name, ours = marked(results, points).outline_of(BOUNDARIES, END)
     dashes = {"color": style.MATERIAL_POINTS, "lw": 0.9, "ls": (0, (4, 1.5))}
     curves.append(panels.outlines(right, "shape", label[name], ours, **dashes))
     right.set(xlabel="$x/L$", ylabel="$y/L$", aspect="equal", xlim=(0.9, 4.1), ylim=(0, 2.4))
