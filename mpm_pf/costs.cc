@@ -42,6 +42,8 @@ std::vector<record::Profile::Part> parts(const World &world)
   auto all = world.solid ? solid::profile(*world.solid) : std::vector<record::Profile::Part>{};
   for (const auto &[module, part] : world.spent)
     all.push_back(part);
+  if (world.extension)
+    all.push_back(world.extension->measuring);
   return all;
 }
 

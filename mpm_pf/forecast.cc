@@ -28,7 +28,7 @@ namespace
   void forecast_solid(World &world, Forecast &forecast)
   {
     const double step = solid::stable_step(*world.solid);
-    const double steps = world.scene->clock.end / step;
+    const double steps = expected_end(world) / step;
     forecast.counts["points"] = static_cast<double>(solid::points(*world.solid));
     forecast.counts["steps"] = steps;
     const int most = static_cast<int>(std::clamp(steps, 1., double(probe_calls)));
@@ -41,11 +41,11 @@ namespace
   /// A solid with a passive marker: its steps, the extension of its velocity and what that carries.
   void forecast_marked_solid(World &world, Forecast &forecast)
   {
-    const double step_length = std::min(coupling_step(world), world.scene->clock.end);
-    const double steps = world.scene->clock.end / step_length;
+    const double end = expected_end(world), step_length = std::min(coupling_step(world), end);
+    const double steps = end / step_length;
     forecast.counts["points"] = static_cast<double>(solid::points(*world.solid));
     forecast.counts["coupling steps"] = steps;
-    forecast.counts["steps"] = world.scene->clock.end / solid::stable_step(*world.solid);
+    forecast.counts["steps"] = end / solid::stable_step(*world.solid);
     const int most = static_cast<int>(std::clamp(steps, 1., double(probe_calls)));
     forecast.seconds["solid"] =
         steps * seconds_of([&] { step(world, step_length); }, probe_budget_s, most);
@@ -100,11 +100,11 @@ Forecast make_forecast(const scene::Scene &scene, const int threads, const bool 
       forecast_solid(world, forecast);
     if (world.growth)
     {
-      const double steps = scene.clock.end / growth_step_taken(world);
+      const double steps = expected_end(world) / growth_step_taken(world);
       forecast.counts["growth steps"] = steps;
       forecast.seconds["growth"] = steps * seconds_per_growth_step(world);
     }
-    forecast_advection(world, scene.clock.end, forecast);
+    forecast_advection(world, expected_end(world), forecast);
     forecast.bytes = memory(world);
   }
   // The world has been at work: what it has taken is known, and what it will still take comes on

@@ -61,7 +61,7 @@ void forecast_output(const World &world, Forecast &forecast)
     record::Writer writer((scratch.path / "record.h5").string(), {}, *world.scene, true);
     for (const scene::Probe &probe : world.scene->probes)
     {
-      const double count = sample_count(probe, world.scene->clock.end);
+      const double count = sample_count(probe, expected_end(world));
       const int most = static_cast<int>(std::clamp(count, 1., double(most_calls)));
       total += count * seconds_per_sample(probe, world, writer, most);
     }

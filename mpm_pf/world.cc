@@ -180,6 +180,21 @@ bool finished(const World &world)
          std::all_of(walls.begin(), walls.end(), travelled);
 }
 
+namespace
+{
+  /// When a wall will have travelled; `end` where that depends on a front that it waits for.
+  double expected_stop(const medium::Wall &wall, const double now, const double end)
+  {
+    const scene::Wall &asked = wall.asked;
+    if (wall.started)
+      return now + (asked.travel - wall.travel) / asked.speed;
+    if (!asked.start_time)
+      return end;
+    const double ramps = 0.5 * (asked.ramp + asked.contact_ramp.value_or(0.));
+    return *asked.start_time + ramps + asked.travel / asked.speed;
+  }
+} // namespace
+
 double expected_end(const World &world)
 {
   const double end = world.scene->clock.end;
@@ -187,9 +202,7 @@ double expected_end(const World &world)
   if (world.walls)
     for (const medium::Wall &wall : world.walls->walls)
       if (wall.asked.travel > 0.)
-        stop = std::max(stop, wall.started ? world.time + (wall.asked.travel - wall.travel) /
-                                                              wall.asked.speed
-                                           : end);
+        stop = std::max(stop, expected_stop(wall, world.time, end));
   return stop > 0. ? std::min(stop, end) : end;
 }
 

@@ -6,6 +6,7 @@
 
 #include "medium/nearest_piece.h"
 #include "medium/reinitialisation.h"
+#include "record/stopwatch.h"
 
 namespace medium
 {
@@ -145,16 +146,27 @@ namespace medium
   {
   }
 
+  namespace
+  {
+    template <class T>
+    void measure_distance(Extension &extension, const Field<T> &phi, const Mesh &mesh,
+                          const bool afresh)
+    {
+      const record::PartTimer timer(extension.measuring);
+      Distance &distance = extension.distance;
+      afresh ? compute_distance(distance, phi, mesh) : update_distance(distance, phi, mesh);
+      if (extension.method == scene::ExtensionMethod::pde)
+        reinitialise(distance, phi, extension.front_width, mesh);
+    }
+  } // namespace
+
   template <class T>
   void extend_into_liquid(Extension &extension, const std::vector<Field<double> *> &fields,
                           const Field<T> &phi, const Field<unsigned char> &material,
                           const Mesh &mesh)
   {
-    Distance &distance = extension.distance;
     const bool rebuild = extension.calls++ % extension.map_interval == 0;
-    rebuild ? compute_distance(distance, phi, mesh) : update_distance(distance, phi, mesh);
-    if (extension.method == scene::ExtensionMethod::pde)
-      reinitialise(distance, phi, extension.front_width, mesh);
+    measure_distance(extension, phi, mesh, rebuild);
     if (rebuild)
       build_map(extension, mesh);
     extension.at_pieces =

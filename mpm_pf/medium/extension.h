@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "medium/piece_values.h"
+#include "record/writer.h"
 
 namespace medium
 {
@@ -32,13 +33,14 @@ namespace medium
     double depth; // length below the contour from which a node counts as solid: half a cell
     int map_interval = 20; // calls from one update of the whole mesh (map beyond the band, new
                            // grains of the contour) to the next; in between the contour is followed
-    long calls = 0; // since the map was to be rebuilt
+    long calls = 0;        // since the map was to be rebuilt
     Distance distance;
     Field<int> nearest_piece;         // at every node: the map, numbered as when it was built
     std::vector<Point> mapped_pieces; // places of the pieces then
     std::vector<double> far_value;    // scratch: values by those numbers
     /// What the solid knows at the contour of the fields extended last, by field and piece.
     std::vector<std::vector<PieceValue>> at_pieces;
+    record::Profile::Part measuring{"distance"}; // time that the distance took
   };
 
   /// Gives every node outside the solid a value of each of `fields` (any unit); nodes in the solid

@@ -99,12 +99,14 @@ namespace scene
       return placed<SupportInput>("support",
                                   "Material held or driven; its reaction is always recorded.",
                                   "All material that starts in this box (a grip).")
-          .require("displacement", &SupportInput::displacement, any(Dimension::length),
-                   "Displacement in x and y, of X, Y (where the material started) and t; \"free\" "
-                   "leaves a component free. An edge that is "
-                   "free across itself may turn and bend. Where two edges meet and move one "
-                   "component differently the stress has no bound: forces there follow the cells.",
-                   "")
+          .require(
+              "displacement", &SupportInput::displacement, any(Dimension::length),
+              "Displacement in x and y, of X, Y (where the material started) and t; \"free\" "
+              "leaves a component free. An edge that is "
+              "free across itself may turn and bend. Where two edges meet and move one "
+              "component differently the stress has no bound: forces there follow the cells. What "
+              "lies at a corner of two supports counts for one of them.",
+              "")
           .repeated();
     }
 

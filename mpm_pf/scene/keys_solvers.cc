@@ -55,7 +55,11 @@ namespace scene
               "it, and with it the mass, momentum and kinetic energy that a history tells.",
               "absent: the true density; a stocky body loaded slowly bears 1 % too much at 1e-3 "
               "to 2e-3, a slender one needs less, since it bends in its own period (a beam 8 times "
-              "as long as high: 1e-4); a run whose kinetic energy is too high for it says so")
+              "as long as high: 1e-4), and one that yields all over in bending much less (3 times "
+              "as long: 5e-6), which no energy tells: halve mach and compare; it refers to the "
+              "wave "
+              "of compression, beside which one of shear is slow as poisson_ratio nears 0.5; a run "
+              "whose kinetic energy is too high for it says so")
           .add("reference_speed", &Mpm::reference_speed, positive(Dimension::speed),
                "Speed that mach refers to.", "absent: the largest speed of supports and walls")
           .add("split_points", &Mpm::split_points, any(),
@@ -74,7 +78,8 @@ namespace scene
                "quadratic with volume ratios linear in a cell: does not lock, third order")
           .add("load_steps", &Fe::load_steps, between(1, 10000000),
                "Steps to clock.end at the least: none is longer than that part of it, each time "
-               "of a probe ends one, and one that does not converge is halved and tried again.",
+               "of a probe ends one (a probe without times or every: 200), and one that does not "
+               "converge is halved and tried again.",
                "1 % of the way each resolves the yielding of all cases of the paper")
           .add("tolerance", &Fe::tolerance, inside(0., 1.),
                "Relative residual at which Newton's method stops.",

@@ -160,7 +160,8 @@ namespace solid
             std::array<bool, 2> held = line.held;
             if (held[1 - line.axis] && crossed(supports, line, grid, i, j, n))
               held[1 - line.axis] = false; // the other's push is not ours to undo
-            set_velocity(supports, step.count_reaction ? support : nullptr, grid, {n, held, v});
+            set_velocity(supports, step.count_reaction ? support : nullptr, grid,
+                         {n, held, v, line.contact});
           });
     }
 
@@ -184,7 +185,7 @@ namespace solid
 
   void set_velocity(Supports &supports, Support *support, Grid &grid, const HeldNode &given)
   {
-    const auto &[n, held, v] = given;
+    const auto &[n, held, v, met] = given;
     Node &node = grid.nodes[n];
     const double mass = grid.mass[n];
     Velocity &velocity = grid.velocity[n];
@@ -195,7 +196,9 @@ namespace solid
       {
         const double before = mass > 0. ? node.momentum()[c] / mass : v[c];
         impulse[c] = mass * (v[c] - now[c]);
-        work += 0.5 * impulse[c] * (v[c] + before);
+        // A support has gone with its node since the step before, and works on their mean velocity;
+        // a wall works on its own, and what is lost as they meet is lost.
+        work += impulse[c] * (met ? v[c] : 0.5 * (v[c] + before));
         now[c] = v[c];
         if (!grid.change.empty())
           (c == 0 ? grid.change[n].x : grid.change[n].y) = v[c] - before;

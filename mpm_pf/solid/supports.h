@@ -204,6 +204,7 @@ namespace solid
     std::ptrdiff_t node;
     std::array<bool, 2> held; // components that get the velocity
     Point velocity;
+    bool met = false; // by a wall, which takes what comes at another velocity than its own
   };
   /// Give a node the velocity in the held components; the momentum that takes is the reaction of
   /// `support`; null: of none.

@@ -15,7 +15,8 @@ namespace solid
     // give it. Half of it would be met a quarter of a cell too early, a fifth of the work lost in
     // closing that gap; all of it would never be met by points that lie unevenly.
     constexpr double touching = 0.9;
-    // What sticks to a wall is let go only where this part is left: it may be pulled.
+    // What is at a wall is let go only where this part is left: a grip may pull, and what lies
+    // unevenly does not come and go with every step.
     constexpr double parting = 0.5;
 
     int axis_of(const Edge side)
@@ -67,8 +68,7 @@ namespace solid
       if (wall.grip == scene::WallGrip::slip)
         line.held[1 - line.axis] = false;
       line.touched.assign(domain.cells[1 - line.axis] + 1 + 2 * HeldLine::margin, 0);
-      if (line.held[1 - line.axis])
-        line.stuck = line.touched;
+      line.stuck = line.touched;
       return line;
     }
   } // namespace
@@ -164,7 +164,7 @@ namespace solid
         if ((x[p] - wall) * line.side < 0.)
         {
           const double impulse = points.mass[p] * (v - velocity[p]);
-          const double work = 0.5 * impulse * (v + velocity[p]);
+          const double work = impulse * v;
           x[p] = before, velocity[p] = v;
           support.impulse[line.axis] += impulse, support.call_impulse[line.axis] += impulse;
           solid.supports.work += work, solid.supports.work_done += std::abs(work);

@@ -101,9 +101,10 @@ TEST(Absent, MeltCostsASolidNothing)
 {
   const Moved it(head + block);
   for (const char *module : {"phase field", "heat", "orientation", "growth", "velocity",
-                             "advection", "noise", "walls", "imposed motion"})
+                             "advection", "extension", "noise", "walls", "imposed motion"})
     EXPECT_EQ(it.bytes(module), 0.) << module;
-  for (const char *module : {"growth", "heat", "advection", "walls", "imposed motion"})
+  for (const char *module : {"growth", "heat", "advection", "extension", "distance", "seeding",
+                             "walls", "imposed motion"})
     EXPECT_EQ(it.calls(module), 0) << module;
   EXPECT_TRUE(melt_history(it.world).names.empty());
   EXPECT_EQ(numbers(it.world).count("growth_step"), 0u);
@@ -117,11 +118,11 @@ TEST(Absent, SolidAndMotionCostACrystalNothing)
 {
   const Moved it(head + growth);
   for (const char *module :
-       {"solid", "velocity", "advection", "orientation", "noise", "walls", "imposed motion"})
+       {"solid", "velocity", "advection", "extension", "orientation", "noise", "walls", "imposed"})
     EXPECT_EQ(it.bytes(module), 0.) << module;
   EXPECT_EQ(it.number("noise_calls"), 0.);
-  for (const char *module :
-       {"points", "nodes", "sorting", "solid", "advection", "walls", "imposed"})
+  for (const char *module : {"points", "nodes", "sorting", "solid", "advection", "extension",
+                             "distance", "seeding", "walls", "imposed"})
     EXPECT_EQ(it.calls(module), 0) << module;
   // no gradients beside phi and theta where nothing moves: one field each
   const auto field = static_cast<double>(it.world.phase->value.bytes());
@@ -167,6 +168,10 @@ TEST(Absent, WhatIsThereIsCounted)
   EXPECT_GT(it.bytes("walls"), 0.);
   EXPECT_EQ(it.calls("walls"), 3);
   EXPECT_GT(Moved(head + marker + pushed).bytes("imposed motion"), 0.);
+  const Moved coupled(head + growth + block);
+  EXPECT_GT(coupled.bytes("extension"), 0.);
+  EXPECT_EQ(coupled.calls("extension"), 3);
+  EXPECT_EQ(coupled.calls("distance"), 3); // within it
 }
 
 namespace

@@ -48,6 +48,7 @@ TEST(EarlyEnd, CompressionCountsFromTheFirstContactWithAndWithoutAPhaseField)
   {
     const scene::Scene scene = scene_of(text);
     World world = build_world(scene, 1);
+    EXPECT_DOUBLE_EQ(expected_end(world), 4.5); // before it starts, for --plan
     double foreseen = 0.;
     while (!finished(world))
     {
