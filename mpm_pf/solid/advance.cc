@@ -32,18 +32,15 @@ namespace solid
     {
       const record::PartTimer timer = record::time_part(solid.spent, "points to nodes");
       Grid &grid = solid.grid;
+      const Interpolation at = solid.interpolation();
+      const MomentumSource source = solid.momentum_source();
 #pragma omp parallel num_threads(solid.threads)
       alternate(grid.blocks,
                 [&](const int b)
                 {
                   clear_nodes(grid, b);
-                  for_pieces(grid.blocks[b],
-                             [&](const std::size_t p, const std::size_t q)
-                             {
-                               scatter(solid.scheme, solid.supports.folds, solid.points,
-                                       solid.loads.acceleration, 1. / solid.material.density, grid,
-                                       p, q);
-                             });
+                  for_pieces(grid.blocks, b,
+                             [&](const Piece &piece) { scatter(at, source, grid, piece.points); });
                 });
     }
 
@@ -86,10 +83,10 @@ namespace solid
                         dt, solid.threads);
       // v* is what the points bring, not what supports make of it.
       if (solid.scheme.transfer == Transfer::xpic2)
-        smooth_velocity(solid.scheme, solid.supports.folds, solid.grid, solid.points);
+        smooth_velocity(solid.interpolation(), solid.points);
       apply_supports(solid.supports, solid.grid, step);
       add_traction_work(solid.loads, solid.grid, dt);
-      move(solid.tracers, solid.scheme, solid.grid, solid.supports.folds, dt);
+      move(solid.tracers, solid.interpolation(), dt);
     }
 
     // Stresses from the velocities which the points bring, held as over the step to come.

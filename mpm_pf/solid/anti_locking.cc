@@ -1,5 +1,6 @@
 #include "solid/anti_locking.h"
 
+#include "solid/blocks.h"
 #include "solid/constitutive.h"
 #include "solid/wide.h"
 
@@ -27,8 +28,9 @@ namespace solid
     };
 
     void evaluate(const Points &points, const Grid &grid, const Step &step, Chunk &now,
-                  const std::size_t begin, const std::size_t count)
+                  const PointRange range)
     {
+      const std::size_t begin = range.begin, count = range.size();
       const double *const x = &points.x[begin], *const y = &points.y[begin];
       const double *const lxx = &points.lxx[begin], *const lxy = &points.lxy[begin];
       const double *const lyx = &points.lyx[begin], *const lyy = &points.lyy[begin];
@@ -62,15 +64,15 @@ namespace solid
   }
 
   void add_to_cells(CellMeans &cells, const Points &points, const Grid &grid, const Step &step,
-                    const int block, const std::size_t begin, const std::size_t end)
+                    const Piece &piece)
   {
-    CellMeans::Sum *const sums = cells.sums[block % 2].data();
+    CellMeans::Sum *const sums = cells.sums[piece.block % 2].data();
     Chunk now{};
-    for (std::size_t p = begin; p < end; p += chunk)
+    for (std::size_t p = piece.points.begin; p < piece.points.end; p += chunk)
     {
-      const std::size_t count = std::min(chunk, end - p);
-      evaluate(points, grid, step, now, p, count);
-      for (std::size_t k = 0; k < count; ++k)
+      const PointRange some{p, std::min(p + chunk, piece.points.end)};
+      evaluate(points, grid, step, now, some);
+      for (std::size_t k = 0; k < some.size(); ++k)
       {
         const auto n = static_cast<std::int32_t>(grid.at(now.i[k], now.j[k]));
         cells.cell[p + k] = n;

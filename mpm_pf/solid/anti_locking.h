@@ -19,6 +19,7 @@
 
 namespace solid
 {
+  struct Piece;
   struct Step;
 
   /// The cell whose lower left node is n has index n. Empty when averaging is off.
@@ -46,9 +47,8 @@ namespace solid
   /// Zero sums for the cells that points of this block may be in.
   void clear_cells(CellMeans &, const Grid &, int block);
 
-  /// Find the cell of points [begin, end) of a block and add them to it.
-  void add_to_cells(CellMeans &, const Points &, const Grid &, const Step &, int block,
-                    std::size_t begin, std::size_t end);
+  /// Find the cells of some points of a block and add them to these.
+  void add_to_cells(CellMeans &, const Points &, const Grid &, const Step &, const Piece &);
 
   /// Means in the rows of cells from the lower side of a block to below its upper side (the last
   /// block: to the end). Requires the sums of the block and of the one before.

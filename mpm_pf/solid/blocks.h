@@ -10,13 +10,23 @@ namespace solid
 {
   inline constexpr std::size_t piece_points = 128;
 
-  /// Call f(begin, end) for pieces of a block that fit in the nearest cache. All but the first
-  /// start on a cache line.
-  template <typename F>
-  void for_pieces(const Block &block, F &&f)
+  /// Points of one block that fit in the nearest cache.
+  struct Piece
   {
+    int block;
+    PointRange points;
+  };
+
+  /// Call f(piece) for the pieces of block b. All but the first start on a cache line.
+  template <typename F>
+  void for_pieces(const std::vector<Block> &blocks, const int b, F &&f)
+  {
+    const Block &block = blocks[b];
     for (std::size_t p = block.begin, q; p < block.end; p = q)
-      f(p, q = std::min(p - p % piece_points + piece_points, block.end));
+    {
+      q = std::min(p - p % piece_points + piece_points, block.end);
+      f(Piece{b, {p, q}});
+    }
   }
 
   /// Call f(b) for even blocks, then for odd ones: neighbours never write at the same time.

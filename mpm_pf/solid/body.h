@@ -52,6 +52,12 @@ namespace solid
     long steps = 0;
     int threads = 1;
 
+    Interpolation interpolation() const { return {scheme, grid, supports.folds}; }
+    MomentumSource momentum_source() const
+    {
+      return {points, loads.acceleration, 1. / material.density};
+    }
+
     explicit Solid(const scene::Scene &scene) : fraction(scene.domain), domain(scene.domain) {}
   };
 

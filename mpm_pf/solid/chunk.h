@@ -29,11 +29,13 @@ namespace solid
     }
   };
 
-  /// First nodes of the three rows of three around (i, j).
-  inline std::array<std::ptrdiff_t, 3> rows_around(const Grid &grid, const int i, const int j)
+  /// Points [begin, end) of a chunk that share the nine nodes of which row[b] is the first of a
+  /// row.
+  struct Run
   {
-    return {grid.at(i - 1, j - 1), grid.at(i - 1, j), grid.at(i - 1, j + 1)};
-  }
+    std::array<std::ptrdiff_t, 3> row;
+    std::size_t begin, end;
+  };
 
   /// Nearest nodes and weights of a chunk of points. `moments`: pairs start with weight times
   /// distance, as points to nodes needs it; else with the weight.
@@ -42,36 +44,41 @@ namespace solid
   {
     ChunkWeights x, y;
     std::int32_t i[chunk_points], j[chunk_points];
+    std::size_t count; // of its points
 
-    void prepare(const Scheme &scheme, const Grid &grid, const FoldTable &table,
-                 const Points &points, const std::size_t begin, const std::size_t count)
+    void prepare(const Interpolation &at, const Points &points, const PointRange range)
     {
-      alignas(64) double s[chunk_points], t[chunk_points];
-      locate(grid, points, begin, count, s, t);
-      for (std::size_t k = 0; k < count; k += wide)
+      const Grid &grid = at.grid;
+      const std::array<double, 2> &half_size = at.scheme.half_size;
+      count = range.size();
+      Offsets offset;
+      locate(grid, points, range, offset);
+      for (std::size_t k = 0; k < range.size(); k += wide)
       {
-        fill(x, k, wide_weights(load<Lanes>(s + k), grid, scheme.half_size[0]));
-        fill(y, k, wide_weights(load<Lanes>(t + k), grid, scheme.half_size[1]));
+        fill(x, k, wide_weights(load<Lanes>(offset.x + k), grid, half_size[0]));
+        fill(y, k, wide_weights(load<Lanes>(offset.y + k), grid, half_size[1]));
       }
-      if (table.pairs.empty())
+      if (at.folds.pairs.empty())
         return;
-      for (std::size_t k = 0; k < count; ++k)
+      for (std::size_t k = 0; k < range.size(); ++k)
         if (grid.fold[grid.at(i[k], j[k])] != 0)
         {
           const Stencil folded =
-              stencil_of<shape>(scheme, grid, table, points.x[begin + k], points.y[begin + k]);
+              stencil_of<shape>(at, points.x[range.begin + k], points.y[range.begin + k]);
           replace(x, k, folded.x), replace(y, k, folded.y);
           i[k] = folded.i, j[k] = folded.j;
         }
     }
 
-    /// End of the points from k on that share the node of point k.
-    std::size_t run_end(const std::size_t k, const std::size_t count) const
+    /// The points from k on that share the node of point k.
+    Run run_from(const std::size_t k, const Grid &grid) const
     {
       std::size_t end = k + 1;
       while (end < count && i[end] == i[k] && j[end] == j[k])
         ++end;
-      return end;
+      return {{grid.at(i[k] - 1, j[k] - 1), grid.at(i[k] - 1, j[k]), grid.at(i[k] - 1, j[k] + 1)},
+              k,
+              end};
     }
 
   private:
@@ -80,20 +87,26 @@ namespace solid
       Lanes w[3], g[3], d[3];
     };
 
-    void locate(const Grid &grid, const Points &points, const std::size_t begin,
-                const std::size_t count, double *const s, double *const t)
+    // Of the points from their nearest nodes, in cells.
+    struct Offsets
     {
-      const double *const px = &points.x[begin], *const py = &points.y[begin];
+      alignas(64) double x[chunk_points], y[chunk_points];
+    };
+
+    void locate(const Grid &grid, const Points &points, const PointRange range, Offsets &offset)
+    {
+      const double *const px = &points.x[range.begin], *const py = &points.y[range.begin];
+      double *const s = offset.x, *const t = offset.y;
       const double x0 = grid.lower[0], y0 = grid.lower[1], scale = grid.inverse_dx;
 #pragma omp simd
-      for (std::size_t k = 0; k < count; ++k)
+      for (std::size_t k = 0; k < range.size(); ++k)
       {
         const double a = (px[k] - x0) * scale, b = (py[k] - y0) * scale;
         const double nearest_a = std::floor(a + 0.5), nearest_b = std::floor(b + 0.5);
         s[k] = a - nearest_a, t[k] = b - nearest_b;
         i[k] = static_cast<std::int32_t>(nearest_a), j[k] = static_cast<std::int32_t>(nearest_b);
       }
-      for (std::size_t k = count; k % wide != 0; ++k)
+      for (std::size_t k = range.size(); k % wide != 0; ++k)
         s[k] = t[k] = 0.;
     }
 

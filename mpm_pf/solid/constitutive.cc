@@ -15,8 +15,9 @@ namespace solid
 
     template <bool plastic, bool averaged>
     bool update_chunk(Points &points, const Step &step, const Chunk &cell, Share &share,
-                      const std::size_t begin, const std::size_t count)
+                      const PointRange range)
     {
+      const std::size_t begin = range.begin, count = range.size();
       double *const sxx = &points.sxx[begin], *const syy = &points.syy[begin];
       double *const szz = &points.szz[begin], *const sxy = &points.sxy[begin];
       double *const strain = &points.plastic[begin], *const jacobian = &points.jacobian[begin];
@@ -69,55 +70,56 @@ namespace solid
              points.y[p] <= step.upper[1];
     }
 
-    void find_wrong(const Points &points, const Step &step, Share &share, const std::size_t begin,
-                    const std::size_t end)
+    void find_wrong(const Points &points, const Step &step, Share &share, const PointRange range)
     {
-      for (std::size_t p = begin; share.bad < 0 && p < end; ++p)
+      for (std::size_t p = range.begin; share.bad < 0 && p < range.end; ++p)
         if (!right(points, step, p))
           share.bad = static_cast<std::ptrdiff_t>(p);
     }
 
     template <bool plastic>
     void update_range(Points &points, const Step &step, const CellMeans *means, Share &share,
-                      const std::size_t begin, const std::size_t end)
+                      const PointRange range)
     {
       Chunk now;
-      for (std::size_t p = begin; p < end; p += chunk)
+      for (std::size_t p = range.begin; p < range.end; p += chunk)
       {
-        const std::size_t count = std::min(chunk, end - p);
-        for (std::size_t k = 0; means && k < count; ++k)
+        const PointRange some{p, std::min(p + chunk, range.end)};
+        for (std::size_t k = 0; means && k < some.size(); ++k)
         {
           const CellMeans::Mean &mean = means->mean[means->cell[p + k]];
           now.strain[k] = mean.strain, now.pressure[k] = mean.pressure;
         }
-        const bool good = means ? update_chunk<plastic, true>(points, step, now, share, p, count)
-                                : update_chunk<plastic, false>(points, step, now, share, p, count);
+        const bool good = means ? update_chunk<plastic, true>(points, step, now, share, some)
+                                : update_chunk<plastic, false>(points, step, now, share, some);
         if (!good)
-          find_wrong(points, step, share, p, p + count);
+          find_wrong(points, step, share, some);
       }
     }
   } // namespace
 
   void update_stress(Points &points, const Step &step, const CellMeans *means, Share &share,
-                     const std::size_t begin, const std::size_t end)
+                     const PointRange range)
   {
     if (step.plastic)
-      update_range<true>(points, step, means, share, begin, end);
+      update_range<true>(points, step, means, share, range);
     else
-      update_range<false>(points, step, means, share, begin, end);
+      update_range<false>(points, step, means, share, range);
   }
 
-  void move(Points &points, const double *const by_x, const double *const by_y, const Step &step,
-            Share &share, const std::size_t begin, const std::size_t end)
+  void move(Points &points, const Moving &by, const Step &step, Share &share,
+            const PointRange range)
   {
+    const std::size_t begin = range.begin;
     const double *const vx = &points.vx[begin], *const vy = &points.vy[begin];
+    const double *const by_x = by.vx ? by.vx : vx, *const by_y = by.vy ? by.vy : vy;
     const double *const mass = &points.mass[begin];
     double *const x = &points.x[begin], *const y = &points.y[begin];
     const double dt = step.dt, limit = step.speed_limit2;
     const double x0 = step.lower[0], x1 = step.upper[0], y0 = step.lower[1], y1 = step.upper[1];
     double kinetic = 0., largest = share.largest_speed2, wrong = 0.;
 #pragma omp simd reduction(+ : kinetic, wrong) reduction(max : largest)
-    for (std::size_t k = 0; k < end - begin; ++k)
+    for (std::size_t k = 0; k < range.size(); ++k)
     {
       const double speed2 = vx[k] * vx[k] + vy[k] * vy[k];
       const double to_x = x[k] + dt * by_x[k], to_y = y[k] + dt * by_y[k];
@@ -130,6 +132,6 @@ namespace solid
     }
     share.kinetic += kinetic, share.largest_speed2 = largest;
     if (wrong > 0.)
-      find_wrong(points, step, share, begin, end);
+      find_wrong(points, step, share, range);
   }
 } // namespace solid

@@ -33,10 +33,8 @@ namespace solid
 
   /// New stress, plastic strain and jacobian, and a check of them. `means` null: each point by
   /// itself; else with the volume strain of its cell and its pressure relaxed.
-  void update_stress(Points &, const Step &, const CellMeans *means, Share &, std::size_t begin,
-                     std::size_t end);
+  void update_stress(Points &, const Step &, const CellMeans *means, Share &, PointRange);
 
-  /// Move points [begin, end) with the velocities by_x[0], ... and check where they are.
-  void move(Points &, const double *by_x, const double *by_y, const Step &, Share &,
-            std::size_t begin, std::size_t end);
+  /// Move some points and check where they are.
+  void move(Points &, const Moving &by, const Step &, Share &, PointRange);
 } // namespace solid

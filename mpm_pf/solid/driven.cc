@@ -57,19 +57,21 @@ namespace solid
 
     struct Account
     {
-      const Scheme &scheme;
-      const Points &points;
-      const Acceleration &acceleration;
-      const Grid &grid;
-      double inverse_density, dt;
+      const Interpolation at;
+      const MomentumSource source;
+      double dt;
       bool count_reaction; // else the forces were left out
+      const Points &points = source.points;
 
-      Point push(const std::size_t p) const { return dt * points.mass[p] * acceleration.at(p); }
+      Point push(const std::size_t p) const
+      {
+        return dt * points.mass[p] * source.acceleration.at(p);
+      }
       Matrix stress(const std::size_t p) const // times volume and dt
       {
         Matrix s;
         s << points.sxx[p], points.sxy[p], points.sxy[p], points.syy[p];
-        return dt * points.mass[p] * inverse_density * points.jacobian[p] * s;
+        return dt * points.mass[p] * source.inverse_density * points.jacobian[p] * s;
       }
 
       // As scatter does.
@@ -79,9 +81,9 @@ namespace solid
         const Point velocity(points.vx[p], points.vy[p]), pushed = push(p);
         const Matrix stressed = stress(p);
         Matrix affine = Matrix::Zero();
-        if (scheme.affine())
+        if (at.scheme.affine())
           affine << points.lxx[p], points.lxy[p], points.lyx[p], points.lyy[p];
-        const Stencil s = stencil(scheme, grid, supports.folds, {points.x[p], points.y[p]});
+        const Stencil s = stencil(at, {points.x[p], points.y[p]});
         for (int k = 0; k < 9; ++k)
         {
           const int a = k % 3, b = k / 3;
@@ -91,7 +93,7 @@ namespace solid
           for (int c = 0; c < 2; ++c)
             if (point.support[c] >= 0)
             {
-              DrivenPart &part = supports.driven_parts[grid.at(s.i - 1 + a, s.j - 1 + b)][c];
+              DrivenPart &part = supports.driven_parts[at.grid.at(s.i - 1 + a, s.j - 1 + b)][c];
               part.mass += m, part.momentum += m * (velocity[c] + affine.row(c).dot(d));
               if (count_reaction)
                 part.impulse += w * pushed[c] - stressed.row(c).dot(slope);
@@ -140,12 +142,7 @@ namespace solid
       region.covers.assign(grid.nodes.size(), {});
     supports.driven_parts.assign(grid.nodes.size(), {});
     supports.prescribed.assign(points.active, {});
-    const Account account{solid.scheme,
-                          points,
-                          solid.loads.acceleration,
-                          grid,
-                          1. / solid.material.density,
-                          step.dt,
+    const Account account{solid.interpolation(), solid.momentum_source(), step.dt,
                           step.count_reaction};
     for (std::size_t p = 0; p < points.active; ++p)
     {
@@ -166,11 +163,11 @@ namespace solid
   }
 
   void move_as_prescribed(const Supports &supports, Points &points, const bool gradient_only,
-                          const std::size_t begin, const std::size_t end)
+                          const PointRange range)
   {
     if (supports.driven.empty())
       return;
-    for (std::size_t p = begin; p < end; ++p)
+    for (std::size_t p = range.begin; p < range.end; ++p)
     {
       const Prescribed &point = supports.prescribed[p];
       if (point.support[0] >= 0)

@@ -56,9 +56,9 @@ namespace solid
         near.push_back(static_cast<std::uint32_t>(p));
   }
 
-  void EdgeShares::add_loaded(const Tracers &tracers, const Scheme &scheme, const FoldTable &table,
-                              const Grid &grid)
+  void EdgeShares::add_loaded(const Tracers &tracers, const Interpolation &at)
   {
+    const Grid &grid = at.grid;
     for (const Chord &chord : chords)
       if (const auto &outline = tracers.outlines[chord.outline]; outline[chord.tracer].loads != 0)
         for_gauss_points(outline, chord.tracer,
@@ -66,7 +66,7 @@ namespace solid
                          {
                            if (!grid.surrounds(x))
                              return; // it has parted from the material, or belongs to a rigid grip
-                           for_nodes(stencil(scheme, grid, table, x), grid,
+                           for_nodes(stencil(at, x), grid,
                                      [&](const std::ptrdiff_t n, const double w, const Point &)
                                      {
                                        if (sums[n].share == 0.)
@@ -76,15 +76,15 @@ namespace solid
                          });
   }
 
-  void EdgeShares::add_edges(const Tracers &tracers, const Scheme &scheme, const FoldTable &table,
-                             const Grid &grid)
+  void EdgeShares::add_edges(const Tracers &tracers, const Interpolation &at)
   {
+    const Grid &grid = at.grid;
     for (const Chord &chord : chords)
       for_gauss_points(tracers.outlines[chord.outline], chord.tracer,
                        [&](const Point &x, const Point &normal)
                        {
                          if (grid.surrounds(x))
-                           for_nodes(stencil(scheme, grid, table, x), grid,
+                           for_nodes(stencil(at, x), grid,
                                      [&](const std::ptrdiff_t n, const double w, const Point &)
                                      {
                                        if (sums[n].share != 0.)
@@ -93,13 +93,13 @@ namespace solid
                        });
   }
 
-  void EdgeShares::add_points(const Points &points, const Scheme &scheme, const FoldTable &table,
-                              const Grid &grid, const double inverse_density)
+  void EdgeShares::add_points(const Points &points, const Interpolation &at,
+                              const double inverse_density)
   {
     for (const std::uint32_t p : near)
     {
       const double volume = points.mass[p] * inverse_density * points.jacobian[p];
-      for_nodes(stencil(scheme, grid, table, {points.x[p], points.y[p]}), grid,
+      for_nodes(stencil(at, {points.x[p], points.y[p]}), at.grid,
                 [&](const std::ptrdiff_t n, const double, const Point &slope)
                 {
                   if (sums[n].share != 0.)
@@ -108,15 +108,15 @@ namespace solid
     }
   }
 
-  void EdgeShares::measure(const Tracers &tracers, const Points &points, const Scheme &scheme,
-                           const FoldTable &table, const Grid &grid, const double inverse_density)
+  void EdgeShares::measure(const Tracers &tracers, const Points &points, const Interpolation &at,
+                           const double inverse_density)
   {
     for (const std::ptrdiff_t n : nodes)
       sums[n] = Sums{};
     nodes.clear();
-    add_loaded(tracers, scheme, table, grid);
-    add_edges(tracers, scheme, table, grid);
-    add_points(points, scheme, table, grid, inverse_density);
+    add_loaded(tracers, at);
+    add_edges(tracers, at);
+    add_points(points, at, inverse_density);
     for (const std::ptrdiff_t n : nodes)
     {
       Sums &sum = sums[n];

@@ -25,8 +25,7 @@ namespace solid
     void find_near(const Tracers &, const Points &, const Grid &);
 
     /// Shares of the nodes that loaded chords touch, for the points and chords as they now are.
-    void measure(const Tracers &, const Points &, const Scheme &, const FoldTable &, const Grid &,
-                 double inverse_density);
+    void measure(const Tracers &, const Points &, const Interpolation &, double inverse_density);
 
     /// r_i of a node that a loaded chord touches.
     double operator[](const std::ptrdiff_t node) const { return sums[node].share; }
@@ -46,9 +45,8 @@ namespace solid
     };
     std::vector<Chord> chords;
 
-    void add_loaded(const Tracers &, const Scheme &, const FoldTable &, const Grid &);
-    void add_edges(const Tracers &, const Scheme &, const FoldTable &, const Grid &);
-    void add_points(const Points &, const Scheme &, const FoldTable &, const Grid &,
-                    double inverse_density);
+    void add_loaded(const Tracers &, const Interpolation &);
+    void add_edges(const Tracers &, const Interpolation &);
+    void add_points(const Points &, const Interpolation &, double inverse_density);
   };
 } // namespace solid

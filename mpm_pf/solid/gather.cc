@@ -16,23 +16,27 @@ namespace solid
       alignas(64) double along_x[4 * chunk_points], along_y[4 * chunk_points];
     };
 
+    struct Gathered
+    {
+      Sums velocity, change; // of velocity by forces, in incremental transfers only
+    };
+
     struct Velocities
     {
       Lanes x, y;
     };
 
-    // Points [k, end) of the chunk share the nine nodes of which first[b] is the first of a row.
-    inline __attribute__((always_inline)) void sum_run(const ChunkWeights &x, const ChunkWeights &y,
-                                                       const Velocity *const field,
-                                                       const std::array<std::ptrdiff_t, 3> first,
-                                                       Sums &sums, std::size_t k,
-                                                       const std::size_t end)
+    template <Shape shape>
+    inline __attribute__((always_inline)) void sum_run(const Chunk<shape, false> &chunk,
+                                                       const Velocity *const field, const Run &run,
+                                                       Sums &sums)
     {
+      const ChunkWeights &x = chunk.x, &y = chunk.y;
       Quad node[3][3];
 #pragma GCC unroll 3
       for (int b = 0; b < 3; ++b)
       {
-        const Velocity *const row = field + first[b];
+        const Velocity *const row = field + run.row[b];
 #pragma GCC unroll 3
         for (int a = 0; a < 3; ++a)
         {
@@ -40,7 +44,7 @@ namespace solid
           node[b][a] = __builtin_shufflevector(v, v, 0, 0, 1, 1);
         }
       }
-      for (; k < end; ++k)
+      for (std::size_t k = run.begin; k < run.end; ++k)
       {
         const Quad left = x.pair(0, k), middle = x.pair(1, k), right = x.pair(2, k);
         Quad along_x{}, along_y{};
@@ -56,18 +60,19 @@ namespace solid
     }
 
     // The same for values alone, {v_x, -, v_y, -} in along_x: half the work.
-    inline __attribute__((always_inline)) void
-    sum_values(const ChunkWeights &x, const ChunkWeights &y, const Velocity *const field,
-               const std::array<std::ptrdiff_t, 3> first, Sums &sums, std::size_t k,
-               const std::size_t end)
+    template <Shape shape>
+    inline __attribute__((always_inline)) void sum_values(const Chunk<shape, false> &chunk,
+                                                          const Velocity *const field,
+                                                          const Run &run, Sums &sums)
     {
+      const ChunkWeights &x = chunk.x, &y = chunk.y;
       Pair node[3][3];
 #pragma GCC unroll 3
       for (int b = 0; b < 3; ++b)
 #pragma GCC unroll 3
         for (int a = 0; a < 3; ++a)
-          node[b][a] = load<Pair>(&field[first[b] + a].x);
-      for (; k < end; ++k)
+          node[b][a] = load<Pair>(&field[run.row[b] + a].x);
+      for (std::size_t k = run.begin; k < run.end; ++k)
       {
         const double left = x.pairs[0][2 * k], middle = x.pairs[1][2 * k],
                      right = x.pairs[2][2 * k];
@@ -81,28 +86,25 @@ namespace solid
 
     template <Shape shape, bool slopes>
     void sum_nodes(const Chunk<shape, false> &chunk, const Grid &grid, const Array<Velocity> &field,
-                   Sums &sums, const std::size_t count)
+                   Sums &sums)
     {
-      for (std::size_t k = 0; k < count;)
+      for (std::size_t k = 0; k < chunk.count;)
       {
-        const std::size_t stop = chunk.run_end(k, count);
-        const auto rows = rows_around(grid, chunk.i[k], chunk.j[k]);
+        const Run run = chunk.run_from(k, grid);
         if constexpr (slopes)
-          sum_run(chunk.x, chunk.y, field.data(), rows, sums, k, stop);
+          sum_run(chunk, field.data(), run, sums);
         else
-          sum_values(chunk.x, chunk.y, field.data(), rows, sums, k, stop);
-        k = stop;
+          sum_values(chunk, field.data(), run, sums);
+        k = run.end;
       }
     }
 
     // Where the gradient goes; returns the velocities of eight points.
-    inline __attribute__((always_inline)) Velocities put_gradient(const Sums &sums, Points &points,
-                                                                  const std::size_t k,
-                                                                  const std::size_t begin,
-                                                                  const std::size_t count)
+    inline __attribute__((always_inline)) Velocities
+    put_gradient(const Sums &sums, Points &points, const std::size_t k, const PointRange range)
     {
       const auto put = [&](Array<double> &to, const Lanes &from)
-      { store_some(&to[begin + k], from, count - k); };
+      { store_some(&to[range.begin + k], from, range.size() - k); };
       const FourLanes along_x = load_quads(&sums.along_x[4 * k]);
       const FourLanes along_y = load_quads(&sums.along_y[4 * k]);
       put(points.lxx, along_x.b), put(points.lxy, along_y.a);
@@ -110,69 +112,66 @@ namespace solid
       return {along_x.a, along_x.c};
     }
 
-    void give(const Scheme &scheme, const Sums &velocity, const Sums &change, Points &points,
-              const Moving &moving, const std::size_t offset, const std::size_t begin,
-              const std::size_t count)
+    void give(const Scheme &scheme, const Gathered &from, Points &points, const Moving &moving,
+              const PointRange range)
     {
-      for (std::size_t k = 0; k < count; k += wide)
+      for (std::size_t k = 0; k < range.size(); k += wide)
       {
-        const auto put = [&](Array<double> &to, const Lanes &from)
-        { store_some(&to[begin + k], from, count - k); };
-        auto [vx, vy] = put_gradient(velocity, points, k, begin, count);
+        const std::size_t p = range.begin + k, left = range.end - p;
+        auto [vx, vy] = put_gradient(from.velocity, points, k, range);
         if (scheme.incremental())
         {
           const double f = flip(scheme);
-          const FourLanes by = load_quads(&change.along_x[4 * k]);
-          store_some(moving.vx + offset + k, vx, count - k);
-          store_some(moving.vy + offset + k, vy, count - k);
-          vx = f * (load_some(&points.vx[begin + k], count - k) + by.a) + (1. - f) * vx;
-          vy = f * (load_some(&points.vy[begin + k], count - k) + by.c) + (1. - f) * vy;
+          const FourLanes by = load_quads(&from.change.along_x[4 * k]);
+          store_some(moving.vx + k, vx, left), store_some(moving.vy + k, vy, left);
+          vx = f * (load_some(&points.vx[p], left) + by.a) + (1. - f) * vx;
+          vy = f * (load_some(&points.vy[p], left) + by.c) + (1. - f) * vy;
         }
-        put(points.vx, vx), put(points.vy, vy);
+        store_some(&points.vx[p], vx, left), store_some(&points.vy[p], vy, left);
       }
     }
 
     template <Shape shape>
-    void gather_points(const Scheme &scheme, const FoldTable &table, const Grid &grid,
-                       Points &points, const Moving &moving, const std::size_t begin,
-                       const std::size_t end)
+    void gather_points(const Interpolation &at, Points &points, const Moving &moving,
+                       const PointRange range)
     {
+      const bool incremental = at.scheme.incremental();
       Chunk<shape, false> chunk;
-      Sums velocity, change;
-      for (std::size_t first = begin; first < end; first += chunk_points)
+      Gathered sums;
+      for (std::size_t first = range.begin; first < range.end; first += chunk_points)
       {
-        const std::size_t count = std::min(chunk_points, end - first);
-        chunk.prepare(scheme, grid, table, points, first, count);
-        sum_nodes<shape, true>(chunk, grid, grid.velocity, velocity, count);
-        if (scheme.incremental())
-          sum_nodes<shape, false>(chunk, grid, grid.change, change, count);
-        give(scheme, velocity, change, points, moving, first - begin, first, count);
+        const PointRange now{first, std::min(first + chunk_points, range.end)};
+        chunk.prepare(at, points, now);
+        sum_nodes<shape, true>(chunk, at.grid, at.grid.velocity, sums.velocity);
+        if (incremental)
+          sum_nodes<shape, false>(chunk, at.grid, at.grid.change, sums.change);
+        const std::size_t done = incremental ? first - range.begin : 0;
+        give(at.scheme, sums, points, {moving.vx + done, moving.vy + done}, now);
       }
     }
 
     template <Shape shape>
-    void gather_slopes(const Scheme &scheme, const FoldTable &table, const Grid &grid,
-                       Points &points, const std::size_t begin, const std::size_t end)
+    void gather_slopes(const Interpolation &at, Points &points, const PointRange range)
     {
       Chunk<shape, false> chunk;
       Sums velocity;
-      for (std::size_t first = begin; first < end; first += chunk_points)
+      for (std::size_t first = range.begin; first < range.end; first += chunk_points)
       {
-        const std::size_t count = std::min(chunk_points, end - first);
-        chunk.prepare(scheme, grid, table, points, first, count);
-        sum_nodes<shape, true>(chunk, grid, grid.velocity, velocity, count);
-        for (std::size_t k = 0; k < count; k += wide)
-          put_gradient(velocity, points, k, first, count);
+        const PointRange now{first, std::min(first + chunk_points, range.end)};
+        chunk.prepare(at, points, now);
+        sum_nodes<shape, true>(chunk, at.grid, at.grid.velocity, velocity);
+        for (std::size_t k = 0; k < now.size(); k += wide)
+          put_gradient(velocity, points, k, now);
       }
     }
 
     template <Shape shape>
-    void gather_moments(const Scheme &scheme, const FoldTable &table, const Grid &grid,
-                        Points &points, const std::size_t begin, const std::size_t end)
+    void gather_moments(const Interpolation &at, Points &points, const PointRange range)
     {
-      for (std::size_t p = begin; p < end; ++p)
+      const Grid &grid = at.grid;
+      for (std::size_t p = range.begin; p < range.end; ++p)
       {
-        const Stencil s = stencil_of<shape>(scheme, grid, table, points.x[p], points.y[p]);
+        const Stencil s = stencil_of<shape>(at, points.x[p], points.y[p]);
         Pair mx{}, my{};
         double dx2 = 0., dy2 = 0.;
         for (int k = 0; k < 3; ++k)
@@ -195,29 +194,21 @@ namespace solid
     }
   } // namespace
 
-  void gather(const Scheme &scheme, const FoldTable &table, const Grid &grid, Points &points,
-              const Moving &moving, const std::size_t begin, const std::size_t end)
+  void gather(const Interpolation &at, Points &points, const Moving &moving, const PointRange range)
   {
-    with_shape(scheme.shape,
-               [&](auto shape) {
-                 gather_points<decltype(shape)::value>(scheme, table, grid, points, moving, begin,
-                                                       end);
-               });
+    with_shape(at.scheme.shape, [&](auto shape)
+               { gather_points<decltype(shape)::value>(at, points, moving, range); });
   }
 
-  void gather_gradient(const Scheme &scheme, const FoldTable &table, const Grid &grid,
-                       Points &points, const std::size_t begin, const std::size_t end)
+  void gather_gradient(const Interpolation &at, Points &points, const PointRange range)
   {
-    with_shape(scheme.shape, [&](auto shape)
-               { gather_slopes<decltype(shape)::value>(scheme, table, grid, points, begin, end); });
+    with_shape(at.scheme.shape,
+               [&](auto shape) { gather_slopes<decltype(shape)::value>(at, points, range); });
   }
 
-  void gather_affine(const Scheme &scheme, const FoldTable &table, const Grid &grid, Points &points,
-                     const std::size_t begin, const std::size_t end)
+  void gather_affine(const Interpolation &at, Points &points, const PointRange range)
   {
-    with_shape(scheme.shape,
-               [&](auto shape) {
-                 gather_moments<decltype(shape)::value>(scheme, table, grid, points, begin, end);
-               });
+    with_shape(at.scheme.shape,
+               [&](auto shape) { gather_moments<decltype(shape)::value>(at, points, range); });
   }
 } // namespace solid

@@ -116,7 +116,7 @@ namespace solid
     {
       Loads &loads = solid.loads;
       Grid &grid = solid.grid;
-      const Stencil s = stencil(solid.scheme, grid, solid.supports.folds, x);
+      const Stencil s = stencil(solid.interpolation(), x);
       double share[9], sum = 0.;
       for (int k = 0; k < 9; ++k)
       {
@@ -150,7 +150,7 @@ namespace solid
     std::fill(loads.on_grips.begin(), loads.on_grips.end(), Point(0., 0.));
     if (loads.tractions.empty())
       return;
-    loads.shares.measure(solid.tracers, solid.points, solid.scheme, solid.supports.folds, grid,
+    loads.shares.measure(solid.tracers, solid.points, solid.interpolation(),
                          1. / solid.material.density);
     for (const auto &outline : solid.tracers.outlines)
       for (std::size_t k = 0; k < outline.size(); ++k)

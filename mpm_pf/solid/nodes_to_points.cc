@@ -26,50 +26,44 @@ namespace solid
       return step;
     }
 
-    // What happens to some points of a block, in this order.
+    // What happens to a piece of a block, in this order.
     struct Stages
     {
       Solid &solid;
       const Step step;
       const Part part;
       CellMeans *const means;
+      const Interpolation at = solid.interpolation();
       const bool apic = solid.scheme.transfer == Transfer::apic;
 
-      void move_points(const int b, const Moving &by, const std::size_t p, const std::size_t q)
-      {
-        Points &points = solid.points;
-        move(points, by.vx ? by.vx : &points.vx[p], by.vy ? by.vy : &points.vy[p], step,
-             solid.shares[b], p, q);
-      }
-
-      void kinematics(const int b, const std::size_t p, const std::size_t q)
+      void kinematics(const Piece &piece)
       {
         alignas(64) double vx[piece_points], vy[piece_points];
         const Moving by = solid.scheme.incremental() ? Moving{vx, vy} : Moving{};
         if (part == Part::stress)
-          gather_gradient(solid.scheme, solid.supports.folds, solid.grid, solid.points, p, q);
+          gather_gradient(at, solid.points, piece.points);
         else
-          gather(solid.scheme, solid.supports.folds, solid.grid, solid.points, by, p, q);
-        move_as_prescribed(solid.supports, solid.points, part == Part::stress, p, q);
+          gather(at, solid.points, by, piece.points);
+        move_as_prescribed(solid.supports, solid.points, part == Part::stress, piece.points);
         if (means)
-          add_to_cells(*means, solid.points, solid.grid, step, b, p, q);
+          add_to_cells(*means, solid.points, solid.grid, step, piece);
         if (!apic && part != Part::stress)
-          move_points(b, by, p, q);
+          move(solid.points, by, step, solid.shares[piece.block], piece.points);
       }
 
-      void stresses(const int b, const std::size_t p, const std::size_t q)
+      void stresses(const Piece &piece)
       {
         if (part == Part::motion)
           return;
-        update_stress(solid.points, step, means, solid.shares[b], p, q);
+        update_stress(solid.points, step, means, solid.shares[piece.block], piece.points);
         if (solid.points.may_split && solid.steps % stretch_interval == 0)
-          stretch(solid.points, stretch_interval * step.dt, p, q);
+          stretch(solid.points, stretch_interval * step.dt, piece.points);
         if (!apic)
           return;
         // Its affine part takes the place of the velocity gradient, and needs the old position.
-        gather_affine(solid.scheme, solid.supports.folds, solid.grid, solid.points, p, q);
-        move_as_prescribed(solid.supports, solid.points, part == Part::stress, p, q);
-        move_points(b, Moving{}, p, q);
+        gather_affine(at, solid.points, piece.points);
+        move_as_prescribed(solid.supports, solid.points, part == Part::stress, piece.points);
+        move(solid.points, Moving{}, step, solid.shares[piece.block], piece.points);
       }
     };
   } // namespace
@@ -82,24 +76,20 @@ namespace solid
     const bool averaged = solid.scheme.anti_locking && part != Part::motion;
     Stages stages{solid, constants(solid, dt), part, averaged ? &solid.cells : nullptr};
     CellMeans &cells = solid.cells;
-    const auto pieces = [&](const int b, auto &&f)
-    { for_pieces(grid.blocks[b], [&](const std::size_t p, const std::size_t q) { f(b, p, q); }); };
-    const auto kinematics = [&](const int b, const std::size_t p, const std::size_t q)
-    { stages.kinematics(b, p, q); };
-    const auto stresses = [&](const int b, const std::size_t p, const std::size_t q)
-    { stages.stresses(b, p, q); };
+    const auto kinematics = [&](const Piece &piece) { stages.kinematics(piece); };
+    const auto stresses = [&](const Piece &piece) { stages.stresses(piece); };
 #pragma omp parallel num_threads(solid.threads)
     if (stages.means)
       in_turn(
-          grid.blocks, [&](const int b) { clear_cells(cells, grid, b), pieces(b, kinematics); },
+          grid.blocks,
+          [&](const int b) { clear_cells(cells, grid, b), for_pieces(grid.blocks, b, kinematics); },
           [&](const int b) { average_cells(cells, grid, b); },
-          [&](const int b) { pieces(b, stresses); });
+          [&](const int b) { for_pieces(grid.blocks, b, stresses); });
     else
       each(grid.blocks,
-           [&](const int b)
-           {
-             pieces(b, [&](const int block, const std::size_t p, const std::size_t q)
-                    { kinematics(block, p, q), stresses(block, p, q); });
+           [&](const int b) {
+             for_pieces(grid.blocks, b,
+                        [&](const Piece &piece) { kinematics(piece), stresses(piece); });
            });
   }
 } // namespace solid

@@ -71,6 +71,13 @@ namespace solid
     std::size_t size() const { return x.size(); }
   };
 
+  /// Points [begin, end), which lie one behind the other in every array.
+  struct PointRange
+  {
+    std::size_t begin = 0, end = 0;
+    std::size_t size() const { return end - begin; }
+  };
+
   /// Call f(name, array) for every array of state; the one list of them.
   template <typename PointsOrConst, typename F>
   void for_each_array(PointsOrConst &points, F &&f)

@@ -14,15 +14,17 @@ namespace solid
     };
 
     template <bool affine>
-    void fill(Carried &to, const Points &points, const Acceleration &force,
-              const double inverse_density, const ChunkWeights &x, const std::size_t begin,
-              const std::size_t count)
+    void fill(Carried &to, const MomentumSource &source, const ChunkWeights &x,
+              const PointRange range)
     {
+      const Points &points = source.points;
+      const Acceleration &force = source.acceleration;
+      const double inverse_density = source.inverse_density;
       const bool uniform = force.x.empty();
-      for (std::size_t k = 0; k < count; k += wide)
+      for (std::size_t k = 0; k < range.size(); k += wide)
       {
         const auto values = [&](const Array<double> &array)
-        { return load_some(&array[begin + k], count - k); };
+        { return load_some(&array[range.begin + k], range.size() - k); };
         const Lanes none{}, m = values(points.mass);
         const Lanes volume = m * inverse_density * values(points.jacobian);
         // - V sigma grad w + w m b, Eq. (4)
@@ -44,15 +46,15 @@ namespace solid
       }
     }
 
-    // Points [k, end) of the chunk share the nine nodes of which row[b] is the first of a row.
-    inline __attribute__((always_inline)) void add_run(const ChunkWeights &x, const ChunkWeights &y,
-                                                       const Carried &from, Node *const nodes,
-                                                       double *const node_mass,
-                                                       const std::array<std::ptrdiff_t, 3> row,
-                                                       std::size_t k, const std::size_t end)
+    template <Shape shape>
+    inline __attribute__((always_inline)) void
+    add_run(const Chunk<shape, true> &chunk, const Carried &from, const Run &run, Grid &grid)
     {
+      const ChunkWeights &x = chunk.x, &y = chunk.y;
+      Node *const nodes = grid.nodes.data();
+      double *const node_mass = grid.mass.data();
       Quad sum[3][3] = {}, mass[3] = {};
-      for (; k < end; ++k)
+      for (std::size_t k = run.begin; k < run.end; ++k)
       {
         const Quad plain = load<Quad>(&from.plain[4 * k]), m = load<Quad>(&from.mass[4 * k]);
         const Quad along_x = load<Quad>(&from.along_x[4 * k]);
@@ -79,50 +81,45 @@ namespace solid
       for (int b = 0; b < 3; ++b)
       {
         // The fourth column gets nothing; every row has room for it (grid.cc).
-        store<Quad>(node_mass + row[b], load<Quad>(node_mass + row[b]) + mass[b]);
+        store<Quad>(node_mass + run.row[b], load<Quad>(node_mass + run.row[b]) + mass[b]);
 #pragma GCC unroll 3
         for (int a = 0; a < 3; ++a)
-          nodes[row[b] + a].motion += sum[b][a];
+          nodes[run.row[b] + a].motion += sum[b][a];
       }
     }
 
     template <Shape shape, bool affine>
-    void scatter_points(const Scheme &scheme, const FoldTable &table, const Points &points,
-                        const Acceleration &force, const double inverse_density, Grid &grid,
-                        const std::size_t begin, const std::size_t end)
+    void scatter_points(const Interpolation &at, const MomentumSource &source, Grid &grid,
+                        const PointRange range)
     {
       Chunk<shape, true> chunk;
       Carried carried;
-      for (std::size_t first = begin; first < end; first += chunk_points)
+      for (std::size_t first = range.begin; first < range.end; first += chunk_points)
       {
-        const std::size_t count = std::min(chunk_points, end - first);
-        chunk.prepare(scheme, grid, table, points, first, count);
-        fill<affine>(carried, points, force, inverse_density, chunk.x, first, count);
-        for (std::size_t k = 0; k < count;)
+        const PointRange now{first, std::min(first + chunk_points, range.end)};
+        chunk.prepare(at, source.points, now);
+        fill<affine>(carried, source, chunk.x, now);
+        for (std::size_t k = 0; k < chunk.count;)
         {
-          const std::size_t stop = chunk.run_end(k, count);
-          add_run(chunk.x, chunk.y, carried, grid.nodes.data(), grid.mass.data(),
-                  rows_around(grid, chunk.i[k], chunk.j[k]), k, stop);
-          k = stop;
+          const Run run = chunk.run_from(k, grid);
+          add_run(chunk, carried, run, grid);
+          k = run.end;
         }
       }
     }
   } // namespace
 
-  void scatter(const Scheme &scheme, const FoldTable &table, const Points &points,
-               const Acceleration &force, const double inverse_density, Grid &grid,
-               const std::size_t begin, const std::size_t end)
+  void scatter(const Interpolation &at, const MomentumSource &source, Grid &grid,
+               const PointRange range)
   {
-    with_shape(scheme.shape,
+    with_shape(at.scheme.shape,
                [&](auto shape)
                {
                  constexpr Shape S = decltype(shape)::value;
-                 if (scheme.affine())
-                   scatter_points<S, true>(scheme, table, points, force, inverse_density, grid,
-                                           begin, end);
+                 if (at.scheme.affine())
+                   scatter_points<S, true>(at, source, grid, range);
                  else
-                   scatter_points<S, false>(scheme, table, points, force, inverse_density, grid,
-                                            begin, end);
+                   scatter_points<S, false>(at, source, grid, range);
                });
   }
 } // namespace solid

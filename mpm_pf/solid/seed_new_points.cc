@@ -13,9 +13,7 @@ namespace solid
     void add_grown_point(Solid &solid, const Point &at, const double area)
     {
       const bool moving = !solid.grid.nodes.empty();
-      const Point v = moving
-                          ? transferred_velocity(solid.scheme, solid.grid, solid.supports.folds, at)
-                          : Point(0., 0.);
+      const Point v = moving ? transferred_velocity(solid.interpolation(), at) : Point(0., 0.);
       const std::size_t p = insert_point(solid, at, solid.material.density * area);
       solid.points.vx[p] = v[0], solid.points.vy[p] = v[1];
       solid.energy.start += kinetic_energy_of(solid.points, p);

@@ -69,9 +69,9 @@ namespace solid
     }
   }
 
-  void stretch(Points &points, const double dt, const std::size_t begin, const std::size_t end)
+  void stretch(Points &points, const double dt, const PointRange range)
   {
-    for (std::size_t p = begin; p < end; ++p)
+    for (std::size_t p = range.begin; p < range.end; ++p)
     {
       const double xx = points.rxx[p], xy = points.rxy[p], yx = points.ryx[p], yy = points.ryy[p];
       points.rxx[p] = static_cast<float>(xx + dt * (points.lxx[p] * xx + points.lxy[p] * yx));

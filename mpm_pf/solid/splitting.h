@@ -19,8 +19,8 @@ namespace solid
   /// Points from `begin` on stand for squares of their mass over `density`.
   void square_edges(Points &, double density, std::size_t begin);
 
-  /// Edges of points [begin, end) over dt with the velocity gradients they have.
-  void stretch(Points &, double dt, std::size_t begin, std::size_t end);
+  /// Edges of some points over dt with the velocity gradients they have.
+  void stretch(Points &, double dt, PointRange);
 
   /// Split the points that are too long. The grid must be sorted afterwards.
   void split_points(Solid &);

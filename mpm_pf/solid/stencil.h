@@ -6,22 +6,23 @@
 namespace solid
 {
   /// Replace the stencil's weights by those folded at the lines of `pair`.
-  void fold(const FoldTable &, const Grid &, int pair, const Point &x, Stencil &);
+  void fold(const Interpolation &, int pair, const Point &x, Stencil &);
 
   template <Shape shape>
-  inline __attribute__((always_inline)) Stencil stencil_of(const Scheme &scheme, const Grid &grid,
-                                                           const FoldTable &table, const double x,
+  inline __attribute__((always_inline)) Stencil stencil_of(const Interpolation &at, const double x,
                                                            const double y)
   {
+    const Grid &grid = at.grid;
+    const std::array<double, 2> &half_size = at.scheme.half_size;
     const double a = (x - grid.lower[0]) * grid.inverse_dx;
     const double b = (y - grid.lower[1]) * grid.inverse_dx;
     const double i = std::floor(a + 0.5), j = std::floor(b + 0.5);
-    Stencil s{weights<shape>(a - i, grid.dx, grid.inverse_dx, scheme.half_size[0]),
-              weights<shape>(b - j, grid.dx, grid.inverse_dx, scheme.half_size[1]),
-              static_cast<int>(i), static_cast<int>(j)};
+    Stencil s{weights<shape>(a - i, grid.dx, grid.inverse_dx, half_size[0]),
+              weights<shape>(b - j, grid.dx, grid.inverse_dx, half_size[1]), static_cast<int>(i),
+              static_cast<int>(j)};
     const int pair = grid.fold[grid.at(s.i, s.j)];
     if (__builtin_expect(pair != 0, 0))
-      fold(table, grid, pair, {x, y}, s);
+      fold(at, pair, {x, y}, s);
     return s;
   }
 

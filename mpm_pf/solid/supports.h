@@ -223,10 +223,9 @@ namespace solid
   /// The nodes in and around driven boxes, see driven_sides.cc.
   void apply_driven_regions(Supports &, Grid &, bool count_reaction);
 
-  /// Driven points among [begin, end) move and strain as prescribed, not as the nodes that they
-  /// share with others.
-  void move_as_prescribed(const Supports &, Points &, bool gradient_only, std::size_t begin,
-                          std::size_t end);
+  /// Driven points of a range move and strain as prescribed, not as the nodes that they share with
+  /// others.
+  void move_as_prescribed(const Supports &, Points &, bool gradient_only, PointRange);
 
   /// Driven points to where they belong at the step's end.
   void move_driven_points(const Supports &, Points &);

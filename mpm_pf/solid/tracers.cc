@@ -17,14 +17,14 @@ namespace solid
     return tracers;
   }
 
-  Point transferred_velocity(const Scheme &scheme, const Grid &grid, const FoldTable &table,
-                             const Point &x)
+  Point transferred_velocity(const Interpolation &at, const Point &x)
   {
+    const Grid &grid = at.grid;
     const int i = grid.nearest(x[0], 0), j = grid.nearest(x[1], 1);
     if (!grid.has(i - 1, j - 1) || !grid.has(i + 1, j + 1) || !grid.has(i - 1, j + 1) ||
         !grid.has(i + 1, j - 1) || !grid.has(i, j))
       return Point::Zero();
-    const Stencil s = stencil(scheme, grid, table, x);
+    const Stencil s = stencil(at, x);
     Point brought = Point::Zero(), pushed = Point::Zero();
     double weight = 0., mass = 0.;
     for (int b = 0; b < 3; ++b)
@@ -42,13 +42,12 @@ namespace solid
     return weight > 1e-9 ? Point(brought / weight + pushed / mass) : Point(0., 0.);
   }
 
-  void move(Tracers &tracers, const Scheme &scheme, const Grid &grid, const FoldTable &table,
-            const double dt)
+  void move(Tracers &tracers, const Interpolation &at, const double dt)
   {
     for (auto &outline : tracers.outlines)
       for (Tracer &tracer : outline)
         if (tracer.grip < 0)
-          tracer.x += dt * transferred_velocity(scheme, grid, table, tracer.x);
+          tracer.x += dt * transferred_velocity(at, tracer.x);
   }
 
   void refine(Tracers &tracers, const double longest)

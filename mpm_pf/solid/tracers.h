@@ -38,10 +38,10 @@ namespace solid
 
   /// Interpolated transferred velocity at x, nodes without mass left out, and what forces and
   /// supports add to it, as a mean by mass. Zero far from material.
-  Point transferred_velocity(const Scheme &, const Grid &, const FoldTable &, const Point &x);
+  Point transferred_velocity(const Interpolation &, const Point &x);
 
   /// Carry the free tracers by dt.
-  void move(Tracers &, const Scheme &, const Grid &, const FoldTable &, double dt);
+  void move(Tracers &, const Interpolation &, double dt);
   /// Halve chords longer than `longest`.
   void refine(Tracers &, double longest);
 

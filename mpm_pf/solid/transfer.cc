@@ -3,8 +3,10 @@
 namespace solid
 {
   // Folding is rare, so it stays out of the loops' way, in a file of its own.
-  void fold(const FoldTable &table, const Grid &grid, const int pair, const Point &x, Stencil &s)
+  void fold(const Interpolation &at, const int pair, const Point &x, Stencil &s)
   {
+    const Grid &grid = at.grid;
+    const FoldTable &table = at.folds;
     const auto &[across_x, across_y] = table.pairs[pair - 1];
     if (across_x >= 0)
       apply(table.lines[across_x], s.i, x[0], grid.lower[0], grid.dx, s.x);
@@ -12,22 +14,22 @@ namespace solid
       apply(table.lines[across_y], s.j, x[1], grid.lower[1], grid.dx, s.y);
   }
 
-  Stencil stencil(const Scheme &scheme, const Grid &grid, const FoldTable &table, const Point &x)
+  Stencil stencil(const Interpolation &at, const Point &x)
   {
     Stencil s{};
-    with_shape(scheme.shape, [&](auto shape)
-               { s = stencil_of<decltype(shape)::value>(scheme, grid, table, x[0], x[1]); });
+    with_shape(at.scheme.shape,
+               [&](auto shape) { s = stencil_of<decltype(shape)::value>(at, x[0], x[1]); });
     return s;
   }
 
-  void smooth_velocity(const Scheme &scheme, const FoldTable &table, const Grid &grid,
-                       Points &points)
+  void smooth_velocity(const Interpolation &at, Points &points)
   {
+    const Grid &grid = at.grid;
     // v* lies in the nodes' momenta; S v* goes to the nodes again, with the points' masses.
     std::vector<Point> again(grid.nodes.size(), Point::Zero()), once(points.active);
     const auto each = [&](const std::size_t p, auto &&f)
     {
-      const Stencil s = stencil(scheme, grid, table, {points.x[p], points.y[p]});
+      const Stencil s = stencil(at, {points.x[p], points.y[p]});
       for (int b = 0; b < 3; ++b)
         for (int a = 0; a < 3; ++a)
           f(grid.at(s.i - 1 + a, s.j - 1 + b), s.x.w[a] * s.y.w[b]);

@@ -53,6 +53,14 @@ namespace solid
     std::vector<std::array<int, 2>> pairs; // line across x, line across y; -1: none
   };
 
+  /// What gives a place its shape functions, all of it as it is during one step.
+  struct Interpolation
+  {
+    const Scheme &scheme;
+    const Grid &grid;
+    const FoldTable &folds;
+  };
+
   /// Weights of a point in both directions and the column and row of its centre node.
   struct Stencil
   {
@@ -60,7 +68,7 @@ namespace solid
     int i, j;
   };
   /// For anything that lies near material: points, tracers, loads. Folded where the grid says so.
-  Stencil stencil(const Scheme &, const Grid &, const FoldTable &, const Point &);
+  Stencil stencil(const Interpolation &, const Point &);
 
   /// Acceleration by body forces: uniform, or one value a point.
   struct Acceleration
@@ -70,29 +78,35 @@ namespace solid
     Point at(const std::size_t p) const { return x.empty() ? uniform : Point(x[p], y[p]); }
   };
 
-  /// Add mass, momentum and force of points [begin, end) to their nodes.
-  void scatter(const Scheme &, const FoldTable &, const Points &, const Acceleration &,
-               double inverse_density, Grid &, std::size_t begin, std::size_t end);
-
-  /// Room for the velocities that move points [begin, end), in flip and xpic not their own.
-  struct Moving
+  /// What Eq. (4) takes from the points: mass and momentum, and as forces their stresses over the
+  /// volume that mass and jacobian tell, and the body force.
+  struct MomentumSource
   {
-    double *vx = nullptr, *vy = nullptr; // that of point `begin` first; null: their own
+    const Points &points;
+    const Acceleration &acceleration;
+    double inverse_density;
   };
 
-  /// Velocity and velocity gradient of points [begin, end) from the nodes.
-  void gather(const Scheme &, const FoldTable &, const Grid &, Points &, const Moving &,
-              std::size_t begin, std::size_t end);
+  /// Add mass, momentum and force of some points to their nodes of `grid`, that of the
+  /// interpolation.
+  void scatter(const Interpolation &, const MomentumSource &, Grid &grid, PointRange);
+
+  /// Room for the velocities that move a range of points, in flip and xpic not their own.
+  struct Moving
+  {
+    double *vx = nullptr, *vy = nullptr; // that of the first point first; null: their own
+  };
+
+  /// Velocity and velocity gradient of some points from the nodes.
+  void gather(const Interpolation &, Points &, const Moving &, PointRange);
 
   /// Their velocity gradient only.
-  void gather_gradient(const Scheme &, const FoldTable &, const Grid &, Points &, std::size_t begin,
-                       std::size_t end);
+  void gather_gradient(const Interpolation &, Points &, PointRange);
 
   /// APIC's affine part in place of the velocity gradient, once the stress update is done with it.
-  void gather_affine(const Scheme &, const FoldTable &, const Grid &, Points &, std::size_t begin,
-                     std::size_t end);
+  void gather_affine(const Interpolation &, Points &, PointRange);
 
   /// XPIC(2): v_p = 2 S v* - S S+ S v* for all points, before the change by forces is added.
   /// Serial.
-  void smooth_velocity(const Scheme &, const FoldTable &, const Grid &, Points &);
+  void smooth_velocity(const Interpolation &, Points &);
 } // namespace solid

@@ -48,7 +48,7 @@ namespace
         points.vx[p] = c * from[0] + s * from[1], points.vy[p] = s * from[0] - c * from[1];
         points.x[p] += h * points.vx[p], points.y[p] += h * points.vy[p];
       }
-      stretch(points, h, 0, points.active);
+      stretch(points, h, {0, points.active});
       split_points(solid);
     }
   }
@@ -97,7 +97,7 @@ TEST(Splitting, KeepsMassMomentumAndState)
   impose(solid, 0.45, 0.3, 100); // to a factor 1.57: nothing has split yet
   ASSERT_EQ(solid.split_points, 0);
   const Sums before(solid);
-  stretch(solid.points, 0.05, 0, solid.points.active);
+  stretch(solid.points, 0.05, {0, solid.points.active});
   split_points(solid);
   const Sums after(solid);
   EXPECT_GT(solid.split_points, 0);
