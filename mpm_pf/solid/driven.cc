@@ -17,25 +17,48 @@ namespace solid
   {
     using Matrix = Eigen::Matrix2d;
 
-    // The region's motion to its point, where no region before it holds the component, and to the
-    // nodes around, where nearer points count more; any weights are exact for affine motions.
-    void prescribe(DrivenRegion &region, const Motion &motion, const Grid &grid, const Point &X,
-                   const Point &x, const double t, const double dt, Prescribed &point)
+    // A motion over a step around a point, to first order.
+    struct AffineMotion
+    {
+      Point X, x;      // where the point started, and where it is at the step's start
+      Point to;        // its displacement at the step's end
+      Point velocity;  // over the step
+      Matrix gradient; // of the velocity
+      Matrix back;     // dX/dx at the step's start
+    };
+
+    // `h`: step of the differences.
+    AffineMotion affine_around(const scene::Argument &at, const Motion &motion, const double dt,
+                               const double h)
+    {
+      const auto &[X, x, t] = at;
+      const Point from = motion.at(X, x, t), to = motion.at(X, x, t + dt), v = (to - from) / dt;
+      const Matrix back = motion.gradient(X, x, t, h).inverse();
+      const Matrix C = (motion.gradient(X, x, t + dt, h) * back - Matrix::Identity()) / dt;
+      return {X, x, to, v, C, back};
+    }
+
+    // The region's motion to its point, where no region before it holds the component.
+    void prescribe(Prescribed &point, const Motion &motion, const AffineMotion &near,
+                   const int support)
+    {
+      for (int c = 0; c < 2; ++c)
+        if (motion.holds(c) && point.support[c] < 0)
+        {
+          point.support[c] = support;
+          point.velocity[c] = near.velocity[c], point.position[c] = near.X[c] + near.to[c];
+          point.gradient.row(c) = near.gradient.row(c);
+        }
+    }
+
+    // And to the nodes around, where nearer points count more; any weights are exact for affine
+    // motions.
+    void add_to_covers(DrivenRegion &region, const AffineMotion &near, const Grid &grid)
     {
       // To nodes that free material beside an open side may be tied to, else to its own.
       const auto &open = region.open;
       const int reach = open[0][0] || open[0][1] || open[1][0] || open[1][1] ? 3 : 1;
-      const double h = 0.01 * grid.dx;
-      const Point from = motion.at(X, x, t), to = motion.at(X, x, t + dt), v = (to - from) / dt;
-      const Matrix back = motion.gradient(X, x, t, h).inverse();
-      const Matrix C = (motion.gradient(X, x, t + dt, h) * back - Matrix::Identity()) / dt;
-      for (int c = 0; c < 2; ++c)
-        if (motion.holds(c) && point.support[c] < 0)
-        {
-          point.support[c] = region.support;
-          point.velocity[c] = v[c], point.position[c] = X[c] + to[c];
-          point.gradient.row(c) = C.row(c);
-        }
+      const Point &x = near.x;
       const int i = grid.nearest(x[0], 0), j = grid.nearest(x[1], 1);
       for (int b = j - reach; b <= j + reach; ++b)
         for (int a = i - reach; a <= i + reach; ++a)
@@ -44,8 +67,8 @@ namespace solid
             const Point d = Point(grid.node_x(a), grid.node_y(b)) - x;
             const double q = 1. / (1. + d.squaredNorm() / (grid.dx * grid.dx)), w = q * q * q * q;
             Cover &cover = region.covers[grid.at(a, b)];
-            cover.weight += w, cover.velocity += w * (v + C * d);
-            cover.origin += w * (X + back * d), cover.slope += w * back;
+            cover.weight += w, cover.velocity += w * (near.velocity + near.gradient * d);
+            cover.origin += w * (near.X + near.back * d), cover.slope += w * near.back;
           }
     }
 
@@ -150,9 +173,12 @@ namespace solid
       for (DrivenRegion &region : supports.driven)
         if (points.regions[p] & (1u << region.region))
         {
-          prescribe(region, supports.all[region.support].motion, grid,
-                    solid.fraction.initial(points, p), {points.x[p], points.y[p]}, step.t, step.dt,
-                    supports.prescribed[p]);
+          const Motion &motion = supports.all[region.support].motion;
+          const AffineMotion near =
+              affine_around({solid.fraction.initial(points, p), {points.x[p], points.y[p]}, step.t},
+                            motion, step.dt, 0.01 * grid.dx);
+          prescribe(supports.prescribed[p], motion, near, region.support);
+          add_to_covers(region, near, grid);
           any = true;
         }
       if (any)

@@ -147,19 +147,24 @@ namespace solid
       return {held->side.distance < beside ? nullptr : held, ratio};
     }
 
-    // The node's velocity, and what that takes, if `count_reaction`.
-    void set(Supports &supports, Grid &grid, const std::ptrdiff_t n, const int c,
-             const DrivenRegion &region, const double v, const bool count_reaction)
+    struct HeldComponent
     {
+      std::size_t node;
+      int component;
+      double velocity;
+    };
+    // As set_velocity() of supports.h, but what driven points bring is not the support's doing.
+    void set(Supports &supports, Support *const support, Grid &grid, const HeldComponent &given)
+    {
+      const auto &[n, c, v] = given;
       const DrivenPart &part = supports.driven_parts[n][c];
       double &velocity = c == 0 ? grid.velocity[n].x : grid.velocity[n].y;
       const double mass = grid.mass[n] - part.mass;
       const double before = mass > 0. ? (grid.nodes[n].momentum()[c] - part.momentum) / mass : v;
-      if (count_reaction)
+      if (support)
       {
         const double impulse = mass * v - (grid.mass[n] * velocity - part.momentum - part.impulse);
-        Support &support = supports.all[region.support];
-        support.impulse[c] += impulse, support.call_impulse[c] += impulse;
+        support->impulse[c] += impulse, support->call_impulse[c] += impulse;
         const double work = 0.5 * impulse * (v + before);
         supports.work += work, supports.work_done += std::abs(work);
       }
@@ -225,7 +230,8 @@ namespace solid
         const auto [master, ratio] = last_master(all, n);
         const double w =
             master && master->inertia > 0. ? ratio * master->pull / master->inertia : 0.;
-        set(supports, grid, n, c, *all[n].region, all[n].prescribed + w, count_reaction);
+        set(supports, count_reaction ? &supports.all[all[n].region->support] : nullptr, grid,
+            {n, c, all[n].prescribed + w});
       }
     }
   }

@@ -22,23 +22,30 @@ namespace solid
       return std::max(0., std::min(a + half_a, b + half_b) - std::max(a - half_a, b - half_b));
     }
 
-    // Mean over the square bin around `at`, points as squares of their areas; missing if less than
+    struct Bin
+    {
+      Point centre;
+      double side;
+    };
+
+    // Mean over a square bin, points as squares of their areas; missing if less than
     // a fifth of the bin is filled (a corner of the body fills a quarter).
     double bin_mean(const Solid &solid, const Neighbours &neighbours, const Frame frame,
-                    const std::vector<double> &field, const Point &at, const double bin)
+                    const std::vector<double> &field, const Bin &bin)
     {
+      const Point &at = bin.centre;
       double sum = 0., filled = 0.;
-      neighbours.near(at, 0.5 * bin + solid.grid.dx,
+      neighbours.near(at, 0.5 * bin.side + solid.grid.dx,
                       [&](const std::size_t k)
                       {
                         const std::size_t p = neighbours.chosen[k];
                         const Point x = position(solid, p, frame);
                         const double half = 0.5 * std::sqrt(area_of(solid, p, frame));
-                        const double area = overlap(x[0], half, at[0], 0.5 * bin) *
-                                            overlap(x[1], half, at[1], 0.5 * bin);
+                        const double area = overlap(x[0], half, at[0], 0.5 * bin.side) *
+                                            overlap(x[1], half, at[1], 0.5 * bin.side);
                         sum += area * field[k], filled += area;
                       });
-      return filled > 0.2 * bin * bin ? sum / filled : none;
+      return filled > 0.2 * bin.side * bin.side ? sum / filled : none;
     }
 
     /// What samples at these positions take into account: quantities are not computed elsewhere, so
@@ -67,7 +74,7 @@ namespace solid
           values[m * of.size() + k] =
               is_motion(of[k])
                   ? fit(solid, neighbours, frame, values_of_points, positions[m]).value
-                  : bin_mean(solid, neighbours, frame, values_of_points, positions[m], bin);
+                  : bin_mean(solid, neighbours, frame, values_of_points, {positions[m], bin});
       }
       return values;
     }

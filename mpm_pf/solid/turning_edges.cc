@@ -22,10 +22,16 @@ namespace solid
     // 3 cells off along a row that a slanted edge cuts.
     constexpr double window = 3.5;
 
-    // Of the nodes around the chord from tracer k, those that no other one is nearer to.
-    void list_around(TurningEdge &edge, std::vector<int> &listed, const Tracers &tracers,
-                     const Grid &grid, const std::size_t o, const std::size_t k)
+    struct Chord
     {
+      std::size_t outline, tracer; // that it starts from
+    };
+
+    // Of the nodes around the chord, those that no other one is nearer to.
+    void list_around(const Chord &at, TurningEdge &edge, std::vector<int> &listed,
+                     const Tracers &tracers, const Grid &grid)
+    {
+      const auto [o, k] = at;
       const auto &outline = tracers.outlines[o];
       const Point &a = outline[k].x, &b = outline[(k + 1) % outline.size()].x;
       const Point chord = b - a;
@@ -117,16 +123,15 @@ namespace solid
               step.dt)[edge.component()];
     }
 
-    // The velocity of a node in the edge's component; the momentum that takes is the reaction.
-    void set(Supports &supports, const TurningEdge &edge, Grid &grid, const std::ptrdiff_t n,
-             const double v, const bool count_reaction)
+    // Node n with the velocity v in the edge's component.
+    HeldNode held_by(const TurningEdge &edge, const Grid &grid, const std::ptrdiff_t n,
+                     const double v)
     {
       const Velocity now = grid.velocity[n];
       const int c = edge.component();
       std::array<bool, 2> held{false, false};
       held[c] = true;
-      set_velocity(supports, count_reaction ? &supports.all[edge.line.support] : nullptr, grid,
-                   {n, held, c == 0 ? Point(v, now.y) : Point(now.x, v)});
+      return {n, held, c == 0 ? Point(v, now.y) : Point(now.x, v)};
     }
   } // namespace
 
@@ -142,7 +147,7 @@ namespace solid
         for (std::size_t k = 0; k < tracers.outlines[o].size(); ++k)
           if (tracers.outlines[o][k].lines &
               tracers.outlines[o][(k + 1) % tracers.outlines[o].size()].lines & edge.line.bit)
-            list_around(edge, supports.listed, tracers, grid, o, k);
+            list_around({o, k}, edge, supports.listed, tracers, grid);
       for (NearEdge &node : edge.nodes)
         measure(edge, tracers, grid, node);
       tie_behind(edge, supports.tied, supports.listed, grid);
@@ -183,14 +188,17 @@ namespace solid
       }
       const auto excess = [](const NearEdge &master)
       { return master.mass > 0. ? master.p / master.mass : 0.; };
+      Support *const support = step.count_reaction ? &supports.all[edge.line.support] : nullptr;
+      const auto set = [&](const NearEdge &node, const double beyond)
+      {
+        set_velocity(supports, support, grid,
+                     held_by(edge, grid, node.node, node.prescribed + beyond));
+      };
       for (const NearEdge &node : edge.nodes)
         if (node.beside && node.distance < beside)
-          set(supports, edge, grid, node.node,
-              node.prescribed +
-                  (node.master < 0 ? 0. : node.ratio * excess(edge.nodes[node.master])),
-              step.count_reaction);
+          set(node, node.master < 0 ? 0. : node.ratio * excess(edge.nodes[node.master]));
         else if (node.mass > 0.)
-          set(supports, edge, grid, node.node, node.prescribed + excess(node), step.count_reaction);
+          set(node, excess(node));
     }
   }
 
