@@ -57,8 +57,9 @@ namespace medium
     };
 
     double hermite_row(const CarriedRows &r, const VelocityRows &w, int count, StepInCells dt,
-                       double cell_x, double cell_y)
+                       const Point &spacing)
     {
+      const double cell_x = spacing[0], cell_y = spacing[1];
 #pragma omp simd
       for (int i = 0; i < count; ++i)
       {
@@ -101,8 +102,7 @@ namespace medium
                              {g.x(2), g.x(1), g.x(0), a.new_x->row(j)},
                              {g.y(2), g.y(1), g.y(0), a.new_y->row(j)},
                              {g.xy(2), g.xy(1), g.xy(0), a.new_xy->row(j)}},
-                            velocity_rows(velocity, j), mesh.nodes[0], step, mesh.spacing[0],
-                            mesh.spacing[1]);
+                            velocity_rows(velocity, j), mesh.nodes[0], step, mesh.spacing);
                       });
   }
 } // namespace medium

@@ -8,12 +8,20 @@ namespace medium
 {
   namespace
   {
-    /// Claims whole lines of nodes [i0, i1) of one row of the scratch, at height dy.
-    void claim_row(Claims &claims, const Strip strip, int index, int row, float dy, int i0, int i1)
+    /// Nodes [begin, end) of one row of the scratch, whole lines of them, at height dy over a
+    /// piece.
+    struct Lines
     {
-      const std::ptrdiff_t start = static_cast<std::ptrdiff_t>(row) * claims.pitch;
-      const float nx = strip.normal_x, ny = strip.normal_y, dy2 = dy * dy;
-      for (int i = i0; i < i1; i += Claims::line)
+      int row, begin, end;
+      float dy;
+    };
+
+    /// They are claimed for piece `index`.
+    void claim_row(Claims &claims, const Lines lines, const Strip strip, int index)
+    {
+      const std::ptrdiff_t start = static_cast<std::ptrdiff_t>(lines.row) * claims.pitch;
+      const float nx = strip.normal_x, ny = strip.normal_y, dy = lines.dy, dy2 = dy * dy;
+      for (int i = lines.begin; i < lines.end; i += Claims::line)
       {
         int *owner = claims.owner.data() + start + i;
         float *square = claims.square.data() + start + i, *above = claims.above.data() + start + i,
@@ -111,7 +119,7 @@ namespace medium
                     right = x + std::min({in_reach + reach_x, in_strip + width_x, reach});
         const int i0 = std::max(0, static_cast<int>(left)),
                   i1 = std::min(last, static_cast<int>(right));
-        claim_row(claims, strip, k, j - j0, dy, i0 / Claims::line * Claims::line, i1 + 1);
+        claim_row(claims, {j - j0, i0 / Claims::line * Claims::line, i1 + 1, dy}, strip, k);
       }
     }
   }

@@ -174,12 +174,19 @@ namespace medium
       }
     }
 
-    /// Sign changes that start at nodes [i0, i1), one row j of a tile: bit 0 to the right, bit 1
-    /// upward, a byte a node, so that eight nodes without any are passed at once.
-    template <class T>
-    void look_along(std::vector<Crossing> &crossings, const Field<T> &phi, const Mesh &mesh, int j,
-                    int i0, int i1)
+    /// Nodes [i0, i1) of row j, all in one tile.
+    struct TileRow
     {
+      int j, i0, i1;
+    };
+
+    /// Sign changes that start at the nodes of a row: bit 0 to the right, bit 1 upward, a byte a
+    /// node, so that eight nodes without any are passed at once.
+    template <class T>
+    void look_along(std::vector<Crossing> &crossings, const Field<T> &phi, const Mesh &mesh,
+                    const TileRow nodes)
+    {
+      const auto [j, i0, i1] = nodes;
       constexpr int word = sizeof(std::uint64_t);
       const T *row = phi.row(j) + i0, *above = phi.row(j + 1) + i0;
       std::array<unsigned char, Tiles::width> changes{};
@@ -213,7 +220,7 @@ namespace medium
       for (int j = where.first_row(tile_row); j < where.end_row(tile_row); ++j)
         for (int column = 0; column < where.columns; ++column)
           if (where.at(column, tile_row) == Activity::active)
-            look_along(crossings, phi, mesh, j, where.first_node(column), where.end_node(column));
+            look_along(crossings, phi, mesh, {j, where.first_node(column), where.end_node(column)});
       return crossings;
     }
   } // namespace

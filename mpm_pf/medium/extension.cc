@@ -15,11 +15,21 @@ namespace medium
     /// What all nodes of one row need to know.
     struct Row
     {
+      double *field;
       const double *psi;
       const int *piece, *map;
       const float *offset;
       const unsigned char *material; // null: everywhere
       double y, depth;
+      const ContourPiece *pieces;
+      const PieceValue *values; // of the pieces
+      const double *far_values; // of the pieces of the map
+    };
+
+    /// Columns of one tile.
+    struct Columns
+    {
+      int begin, end;
     };
 
     bool solid(const Row &row, int i)
@@ -28,22 +38,21 @@ namespace medium
     }
 
     /// Nodes in a tile of the band: value at the closest point, or on the line inside the contour.
-    void fill_band(double *field, const Row &row, int i0, int i1, const Distance &distance,
-                   const std::vector<PieceValue> &values, const double *far_values,
-                   const Mesh &mesh)
+    void fill_band(const Row &row, Columns columns, const Mesh &mesh)
     {
-      for (int i = i0; i < i1; ++i)
+      double *field = row.field;
+      for (int i = columns.begin; i < columns.end; ++i)
       {
         if (solid(row, i))
           continue;
         const int owner = row.piece[i];
         if (owner < 0)
         {
-          field[i] = far_values[row.map[i]];
+          field[i] = row.far_values[row.map[i]];
           continue;
         }
-        const ContourPiece &piece = distance.pieces[static_cast<std::size_t>(owner)];
-        const PieceValue &at = values[static_cast<std::size_t>(owner)];
+        const ContourPiece &piece = row.pieces[owner];
+        const PieceValue &at = row.values[owner];
         const double s = row.offset[i];
         const bool inside = row.psi[i] > 0.;
         const double x = inside ? mesh.lower[0] + i * mesh.spacing[0] - piece.x
@@ -54,9 +63,12 @@ namespace medium
     }
 
     /// Nodes of a tile beyond the band; it is all liquid or all solid.
-    void fill_far(double *field, const Row &row, int i0, int i1, const double *values)
+    void fill_far(const Row &row, Columns columns)
     {
       const int *map = row.map;
+      const double *values = row.far_values;
+      double *field = row.field;
+      const int i0 = columns.begin, i1 = columns.end;
       if (row.psi[i0] < row.depth)
 #pragma omp simd
         for (int i = i0; i < i1; ++i)
@@ -71,25 +83,28 @@ namespace medium
     {
       const Distance &distance = extension.distance;
       const Tiles &tiles = distance.tiles;
-      const double *far_values = extension.far_value.data();
 #pragma omp parallel for schedule(static)
       for (int tile_row = 0; tile_row < tiles.rows; ++tile_row)
         for (int j = tiles.first_row(tile_row); j < tiles.end_row(tile_row); ++j)
         {
-          const Row row{distance.psi.row(j),
+          const Row row{field.row(j),
+                        distance.psi.row(j),
                         distance.piece.row(j),
                         extension.nearest_piece.row(j),
                         distance.offset.row(j),
                         how.material.empty() ? nullptr : how.material.row(j),
                         mesh.lower[1] + j * mesh.spacing[1],
-                        how.depth};
+                        how.depth,
+                        distance.pieces.data(),
+                        values.data(),
+                        extension.far_value.data()};
           for (int column = 0; column < tiles.columns; ++column)
           {
-            const int i0 = tiles.first_node(column), i1 = tiles.end_node(column);
+            const Columns columns{tiles.first_node(column), tiles.end_node(column)};
             if (tiles.at(column, tile_row) == Activity::active)
-              fill_band(field.row(j), row, i0, i1, distance, values, far_values, mesh);
+              fill_band(row, columns, mesh);
             else
-              fill_far(field.row(j), row, i0, i1, far_values);
+              fill_far(row, columns);
           }
         }
     }

@@ -70,13 +70,24 @@ namespace medium
       return psi[0] / (central > 0.5 * one_sided ? central : std::max(one_sided, 1e-300));
     }
 
-    /// One Euler step of the first equation from `from` to `to`.
-    void euler_step(Field<double> &to, const Field<double> &from, const Field<double> &start,
-                    const Distance &distance, const Mesh &mesh, double step)
+    /// The first equation: psi from `start`, in the band of `distance`, by steps of `step`.
+    struct FirstEquation
     {
+      const Field<double> &start;
+      const Distance &distance;
+      const Mesh &mesh;
+      double step;
+    };
+
+    /// One Euler step from `from` to `to`.
+    void euler_step(Field<double> &to, const Field<double> &from, const FirstEquation &equation)
+    {
+      const Field<double> &start = equation.start;
+      const Mesh &mesh = equation.mesh;
+      const double step = equation.step;
       const std::ptrdiff_t pitch = start.pitch();
       const double h = std::min(mesh.spacing[0], mesh.spacing[1]);
-      each_band_node(distance,
+      each_band_node(equation.distance,
                      [&](int i, int j)
                      {
                        const double *psi0 = &start(i, j), *psi = &from(i, j);
@@ -106,11 +117,12 @@ namespace medium
     Field<double> psi(start), middle(start), end(start);
     const double h = std::min(mesh.spacing[0], mesh.spacing[1]), step = 0.45 * h;
     const int count = static_cast<int>(std::ceil(1.3 * band / step)) + 10;
+    const FirstEquation equation{start, distance, mesh, step};
     for (int n = 0; n < count; ++n)
     {
-      euler_step(middle, psi, start, distance, mesh, step);
+      euler_step(middle, psi, equation);
       fill_ghosts(middle, mesh);
-      euler_step(end, middle, start, distance, mesh, step);
+      euler_step(end, middle, equation);
       each_band_node(distance, [&](int i, int j) { psi(i, j) = 0.5 * (psi(i, j) + end(i, j)); });
       fill_ghosts(psi, mesh);
     }

@@ -21,11 +21,17 @@ namespace medium
       return Cut{last, inward * (last - line)};
     }
 
-    /// Integral of `field` over the lines of one axis from `first` to `last`, with the present
-    /// cuts.
-    double integral(const Field<double> &field, const Cuts &cuts, int axis, int first, int last,
+    /// Lines of nodes across one axis, `last` included.
+    struct Lines
+    {
+      int axis, first, last;
+    };
+
+    /// Integral of `field` over these lines, with the present cuts.
+    double integral(const Field<double> &field, const Lines &lines, const Cuts &cuts,
                     const Mesh &mesh)
     {
+      const auto &[axis, first, last] = lines;
       double sum = 0.;
       for (int line = first; line <= last; ++line)
       {
@@ -82,15 +88,14 @@ namespace medium
         continue;
       const int axis = wall.axis(), inward = wall.inward();
       const int from = cut ? cut->last : (inward > 0 ? 0 : mesh.nodes[axis] - 1);
-      const int low = std::min(from, next->last), high = std::max(from, next->last);
+      const Lines passed{axis, std::min(from, next->last), std::max(from, next->last)};
       std::vector<double> before;
       for (const WalledField &field : fields)
-        before.push_back(integral(*field.value, walls.cuts, axis, low, high, mesh));
+        before.push_back(integral(*field.value, passed, walls.cuts, mesh));
       cut = next;
       for (std::size_t f = 0; f < fields.size(); ++f)
         if (fields[f].swept)
-          *fields[f].swept +=
-              before[f] - integral(*fields[f].value, walls.cuts, axis, low, high, mesh);
+          *fields[f].swept += before[f] - integral(*fields[f].value, passed, walls.cuts, mesh);
     }
     for (const WalledField &field : fields)
       continue_behind(field, walls.cuts, mesh);
