@@ -7,7 +7,11 @@
 // other cells, and end up alternating by two yield stresses, which softens the section until it
 // tears. Hence each pressure is also relaxed towards the mean of its cell,
 //   p_p += r (p_cell - p_p),   r = 0.1 a step (0.01 to 1 give the same);
-// deviators, and so the yield condition, are not touched.
+// deviators, and so the yield condition, are not touched. The volume goes with the pressure,
+//   J_p *= exp(-r (p_cell - p_p)/K),
+// which leaves that of the cell as it is. Left out, J and pressure part for good: a point that a
+// wall held at the end of its contact, half its steps in a cell of its own, was shrunk to nothing
+// at a pressure of a third of the yield stress.
 //
 // Both means are known before any stress is updated. All points of a cell get the same volume
 // strain e, which changes their pressures by the same -K e and their volumes by the same factor;

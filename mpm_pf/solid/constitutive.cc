@@ -26,25 +26,27 @@ namespace solid
       const double *const mass = &points.mass[begin];
       const Flow flow = step.flow;
       const double dt = step.dt, inverse_density = step.inverse_density;
-      const double relaxation = step.relaxation;
+      const double relaxation = step.relaxation, compressibility = 1. / flow.bulk;
       double dissipated = 0., strained = 0., wrong = 0.;
 #pragma omp simd reduction(+ : dissipated, strained, wrong)
       for (std::size_t k = 0; k < count; ++k)
       {
         const Increment e = increment(lxx[k], lxy[k], lyx[k], lyy[k], dt);
         Stress old{sxx[k], syy[k], szz[k], sxy[k]};
+        const double volumetric = averaged ? cell.strain[k] : e.xx + e.yy;
+        double swelling = volumetric;
         if constexpr (averaged)
         {
           const double change = relaxation * (cell.pressure[k] - pressure(old));
           old.xx -= change, old.yy -= change, old.zz -= change;
+          swelling -= change * compressibility; // volume goes with pressure, anti_locking.h
         }
-        const double volumetric = averaged ? cell.strain[k] : e.xx + e.yy;
         const Updated to = update<plastic>(old, e, volumetric, flow);
         sxx[k] = to.stress.xx, syy[k] = to.stress.yy;
         szz[k] = to.stress.zz, sxy[k] = to.stress.xy;
         // exp() of the volume strain to third order: a stretch and its reversal cancel.
         const double stretched =
-            jacobian[k] * (1. + volumetric * (1. + volumetric * (0.5 + volumetric * (1. / 6.))));
+            jacobian[k] * (1. + swelling * (1. + swelling * (0.5 + swelling * (1. / 6.))));
         jacobian[k] = stretched;
         const double volume = mass[k] * inverse_density * stretched;
         strained += volume * to.work;

@@ -226,3 +226,23 @@ TEST(BodyForce, WeighsTheMassOfTheScene)
       EXPECT_NEAR(std::abs(force), 0.5 * 3., 0.01 * 0.5 * 3.) << acceleration << mach;
     }
 }
+
+// Pressures that are relaxed to the mean of a cell take the volume along: what a point has swollen
+// by and its pressure say the same, after plastic flow of a quarter, too.
+TEST(AntiLocking, VolumeAndPressureOfAPointStayTogether)
+{
+  scene::Scene scene = small::sheared_bar(10, 0.6);
+  const solid::Owner bar = solid::make_solid(scene);
+  solid::advance(*bar, 0.6);
+  const record::Snapshot fields = solid::snapshot(*bar, {"jacobian", "pressure", "plastic_strain"});
+  const double bulk = 500. / (3. * 0.4);
+  double largest = 0., flowed = 0.;
+  for (std::size_t p = 0; p < fields.fields.at("pressure").size(); ++p)
+  {
+    const double volume = std::log(fields.fields.at("jacobian")[p]);
+    largest = std::max(largest, std::abs(volume + fields.fields.at("pressure")[p] / bulk));
+    flowed = std::max(flowed, fields.fields.at("plastic_strain")[p]);
+  }
+  EXPECT_GT(flowed, 0.2);
+  EXPECT_LT(largest, 1e-10);
+}
