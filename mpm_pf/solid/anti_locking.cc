@@ -68,11 +68,12 @@ namespace solid
   {
     CellMeans::Sum *const sums = cells.sums[piece.block % 2].data();
     Chunk now{};
-    for (std::size_t p = piece.points.begin; p < piece.points.end; p += chunk)
+    const std::size_t end = piece.points.end;
+    for (std::size_t p = piece.points.begin; p < end; p += chunk)
     {
-      const PointRange some{p, std::min(p + chunk, piece.points.end)};
-      evaluate(points, grid, step, now, some);
-      for (std::size_t k = 0; k < some.size(); ++k)
+      const std::size_t count = std::min(chunk, end - p);
+      evaluate(points, grid, step, now, {p, p + count});
+      for (std::size_t k = 0; k < count; ++k)
       {
         const auto n = static_cast<std::int32_t>(grid.at(now.i[k], now.j[k]));
         cells.cell[p + k] = n;
