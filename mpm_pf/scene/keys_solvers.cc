@@ -11,28 +11,25 @@ namespace scene
                "Material points per cell in x and y.",
                "2 x 2 is the paper's; 3 x 3 delays numerical fracture under large stretch")
           .add("shape_function", &Mpm::shape_function, any(), "How points and nodes weigh.",
-               "quadratic splines bridge gaps up to two cells where uGIMP breaks up; they are made "
-               "interpolating at held lines")
+               "quadratic splines bridge gaps up to two cells where uGIMP breaks up; they are "
+               "made interpolating at held lines")
           .add("transfer", &Mpm::transfer, any(), "What goes between points and nodes.",
                "an affine transfer neither tears as FLIP nor damps as PIC: a swinging cantilever "
                "four cells high loses 0.3 % of its energy a period with tpic, 0.6 % with apic, "
                "2.5 % with flip and flip_fraction = 1, 16 % with 0.99, 75 % with xpic2, all with "
-               "pic; "
-               "a collision over few cells wants flip with stress_update = first")
+               "pic; a collision over few cells wants flip with stress_update = first")
           .add("flip_fraction", &Mpm::flip_fraction, between(0., 1.),
                "Part of FLIP in a FLIP-PIC blend, with transfer = flip.",
-               "the usual compromise between noise and damping; a body that spins freely loses 94 "
-               "% of "
-               "its kinetic energy in two turns of 6000 steps each with it")
-          .add(
-              "stress_update", &Mpm::stress_update, any(),
-              "Where in a step the stresses change: last, with the nodes' velocities after the "
-              "forces, or first, with those before; first goes with flip and xpic2.",
-              "last takes one pass each way a step, first two; last damps what flip would keep "
-              "(colliding discs on 20 x 20 cells lose 13 % of their energy, with first they end "
-              "within 3 %). First is for impacts and waves: under slow loads strains lag behind "
-              "the "
-              "motion (the elastic sheared bar loses 20 % of its force with flip, 94 % with xpic2)")
+               "the usual compromise between noise and damping; a body that spins freely loses "
+               "94 % of its kinetic energy in two turns of 6000 steps each with it")
+          .add("stress_update", &Mpm::stress_update, any(),
+               "Where in a step the stresses change: last, with the nodes' velocities after the "
+               "forces, or first, with those before; first goes with flip and xpic2.",
+               "last takes one pass each way a step, first two; last damps what flip would keep "
+               "(colliding discs on 20 x 20 cells lose 13 % of their energy, with first they end "
+               "within 3 %). First is for impacts and waves: under slow loads strains lag behind "
+               "the motion (the elastic sheared bar loses 20 % of its force with flip, 94 % with "
+               "xpic2)")
           .add("anti_locking", &Mpm::anti_locking, any(),
                "Average the volumetric strain rate over each cell and relax point pressures to "
                "the cell mean.",
@@ -47,19 +44,17 @@ namespace scene
           .add("node_mass_floor", &Mpm::node_mass_floor, between(0., 0.5),
                "Nodes below this part of a full cell's mass follow those behind them; 0: off, as "
                "always with stress_update = \"first\".",
-               "few points reach the nodes at a rim, and what these are out of balance by eats the "
-               "work: a cantilever bent far loses 19 % of its work at 0 and 3 % at 0.1")
-          .add(
-              "mach", &Mpm::mach, inside(0., 1.),
-              "Wanted ratio of the reference speed to the wave speed: the density is scaled to "
-              "it, and with it the mass, momentum and kinetic energy that a history tells.",
-              "absent: the true density; a stocky body loaded slowly bears 1 % too much at 1e-3 "
-              "to 2e-3, a slender one needs less, since it bends in its own period (a beam 8 times "
-              "as long as high: 1e-4), and one that yields all over in bending much less (3 times "
-              "as long: 5e-6), which no energy tells: halve mach and compare; it refers to the "
-              "wave "
-              "of compression, beside which one of shear is slow as poisson_ratio nears 0.5; a run "
-              "whose kinetic energy is too high for it says so")
+               "few points reach the nodes at a rim, and what these are out of balance by eats "
+               "the work: a cantilever bent far loses 19 % of its work at 0 and 3 % at 0.1")
+          .add("mach", &Mpm::mach, inside(0., 1.),
+               "Wanted ratio of the reference speed to the wave speed: the density is scaled to "
+               "it, and with it the mass, momentum and kinetic energy that a history tells.",
+               "absent: the true density; a stocky body loaded slowly bears 1 % too much at 1e-3 "
+               "to 2e-3, a slender one needs less, since it bends in its own period (a beam 8 "
+               "times as long as high: 1e-4), and one that yields all over in bending much less "
+               "(3 times as long: 5e-6), which no energy tells: halve mach and compare; it "
+               "refers to the wave of compression, beside which one of shear is slow as "
+               "poisson_ratio nears 0.5; a run whose kinetic energy is too high for it says so")
           .add("reference_speed", &Mpm::reference_speed, positive(Dimension::speed),
                "Speed that mach refers to.", "absent: the largest speed of supports and walls")
           .add("split_points", &Mpm::split_points, any(),

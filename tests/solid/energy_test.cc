@@ -199,6 +199,24 @@ TEST(Energy, OfABarShakenByItsSupportIsWhatTheSupportGives)
   EXPECT_LT(unbalanced(scene), 0.03);
 }
 
+// What a wall at rest takes from a block that is thrown at it is lost, not its work.
+TEST(Energy, OfABlockThatMeetsAWallAtRestIsLostWithoutWork)
+{
+  for (const auto grip : {scene::WallGrip::slip, scene::WallGrip::grip})
+  {
+    scene::Scene scene = small::rectangle({0.5, 0.06}, {1., 1.}, {2., 2.}, {40, 40});
+    scene.bodies[0].velocity[1] = small::text("-1"); // a thirtieth of the wave speed
+    scene::Wall wall;
+    wall.side = scene::Edge::bottom, wall.grip = grip;
+    scene.walls.push_back(wall);
+    const solid::Owner block = solid::make_solid(scene);
+    solid::advance(*block, 0.12);
+    EXPECT_GT(solid::reaction(*block, "wall bottom").impulse[1], 0.3);
+    EXPECT_EQ(value(*block, "external_work"), 0.);
+    EXPECT_GT(value(*block, "transfer_loss"), 0.);
+  }
+}
+
 // Neither a rigid motion nor a homogeneous strain rate is damped on its way to the nodes and back.
 // The first step's elastic energy is the half that symplectic Euler pays back, see energy.h.
 TEST(Energy, OfALinearVelocityPassesTheTransfers)

@@ -159,20 +159,6 @@ TEST(Walls, PassingNodesKeepTheForceSmooth)
   EXPECT_LT(highest, 1.04 * start);
 }
 
-// What a wall at rest takes from a block that is thrown at it is lost, not its work.
-TEST(Walls, AtRestDoNoWork)
-{
-  for (const auto grip : {scene::WallGrip::slip, scene::WallGrip::grip})
-  {
-    scene::Scene scene = block(grip, {0.5, 0.06});
-    scene.bodies[0].velocity[1].text = "-3"; // a fortieth of the wave speed
-    Press press(scene);
-    press.move(4., 40, [](const Edge side, double) { return side == Edge::bottom ? 0. : 2.; });
-    EXPECT_GT(reaction(press.solid, "wall bottom").impulse[1], 1.);
-    EXPECT_EQ(press.solid.supports.work, 0.);
-  }
-}
-
 TEST(Walls, SlippingOnesNeverPull)
 {
   Press press(block(scene::WallGrip::slip));
