@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <thread>
@@ -19,9 +20,11 @@ namespace verify
   {
     constexpr std::size_t most_samples = 400;
 
+    /// To six digits. std::stod would refuse the denormal numbers of a field that dies away.
     double rounded(const double value)
     {
-      return std::isfinite(value) ? std::stod(fmt::format("{:.6g}", value)) : value;
+      return std::isfinite(value) ? std::strtod(fmt::format("{:.6g}", value).c_str(), nullptr)
+                                  : value;
     }
 
     Json thinned(const std::vector<double> &values)
@@ -89,7 +92,7 @@ namespace verify
         run["record_status"] = reader.status();
         run["scene_hash"] = reader.attribute("scene_hash");
       }
-      catch (const std::runtime_error &error)
+      catch (const std::exception &error)
       {
         run["record_status"] = error.what();
       }

@@ -4,6 +4,7 @@
 #include <muParser.h>
 
 #include "quantity.h"
+#include "scene/expression.h"
 #include "scene/special_functions.h"
 #include "section.h"
 
@@ -11,8 +12,25 @@ namespace verify
 {
   namespace
   {
+    [[noreturn]] void refuse(const std::string &text, const std::string &why)
+    {
+      throw BadInput(fmt::format("expression `{}`: {}", text, why));
+    }
+
+    /// muParser would take the last value of a list.
+    double only_value(const mu::Parser &parser, const std::string &text)
+    {
+      int count = 0;
+      const double *values = parser.Eval(count);
+      if (count != 1)
+        refuse(text, fmt::format("it is a list of {} values; the decimal sign is a point", count));
+      return values[0];
+    }
+
     mu::Parser parser_of(const std::string &text, const Constants &constants)
     {
+      if (scene::assigns(text)) // muParser would let it
+        refuse(text, "it assigns to a variable; == compares");
       mu::Parser parser;
       parser.DefineConst("pi", 3.14159265358979323846);
       parser.DefineFun("erf", scene::error_function);
@@ -37,11 +55,11 @@ namespace verify
   {
     try
     {
-      return parser_of(text, constants).Eval();
+      return only_value(parser_of(text, constants), text);
     }
     catch (const mu::Parser::exception_type &error)
     {
-      throw BadInput(fmt::format("expression `{}`: {}", text, error.GetMsg()));
+      refuse(text, error.GetMsg());
     }
   }
 
@@ -49,15 +67,20 @@ namespace verify
   {
     try
     {
+      std::map<std::string, double> any; // evaluated for any values of the names: is it one value?
+      mu::Parser asked = parser_of(text, constants); // owns what GetUsedVar refers to
+      mu::Parser parser = parser_of(text, constants);
+      for (const auto &used : asked.GetUsedVar())
+        parser.DefineVar(used.first, &any.emplace(used.first, 1.).first->second);
+      only_value(parser, text);
       std::set<std::string> names;
-      mu::Parser parser = parser_of(text, constants); // owns what GetUsedVar refers to
-      for (const auto &used : parser.GetUsedVar())
-        names.insert(used.first);
+      for (const auto &[name, value] : any)
+        names.insert(name);
       return names;
     }
     catch (const mu::Parser::exception_type &error)
     {
-      throw BadInput(fmt::format("expression `{}`: {}", text, error.GetMsg()));
+      refuse(text, error.GetMsg());
     }
   }
 
@@ -86,10 +109,10 @@ namespace verify
       {
         for (const auto &[name, values] : columns)
           row[name] = values[i];
-        result[i] = parser.Eval();
+        result[i] = i == 0 ? only_value(parser, text) : parser.Eval();
       }
       if (size == 0)
-        parser.Eval(); // complains about unknown names even where there are no rows
+        only_value(parser, text); // complains about unknown names even where there are no rows
       return result;
     }
     catch (const mu::Parser::exception_type &error)
@@ -97,7 +120,7 @@ namespace verify
       if (error.GetCode() == mu::ecUNASSIGNABLE_TOKEN)
         throw MissingData(fmt::format("`{}`: no column `{}`; there are: {}", text, error.GetToken(),
                                       names(columns)));
-      throw BadInput(fmt::format("expression `{}`: {}", text, error.GetMsg()));
+      refuse(text, error.GetMsg());
     }
   }
 } // namespace verify

@@ -15,7 +15,7 @@ namespace verify
   using ColumnData = std::map<std::string, std::vector<double>>;
 
   /// One number from an expression of the constants. Throws BadInput naming the expression and what
-  /// is wrong.
+  /// is wrong; as in scenes, an assignment and a list of values ("0,02") are no expressions.
   double evaluate(const std::string &text, const Constants &);
 
   /// The names in an expression that are no constants. Throws BadInput if it is no expression.

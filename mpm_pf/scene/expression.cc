@@ -42,23 +42,22 @@ namespace scene
     {
       throw BadExpression(expression, cause);
     }
-
-    // muParser would let an expression write to its variables: "x = 3" must not be accepted.
-    bool assigns(const std::string &text)
-    {
-      for (std::size_t i = 0; i < text.size(); ++i)
-        if (text[i] == '=')
-        {
-          const bool pair = i + 1 < text.size() && text[i + 1] == '=';
-          const bool after_comparison =
-              i > 0 && (text[i - 1] == '<' || text[i - 1] == '>' || text[i - 1] == '!');
-          if (!pair && !after_comparison)
-            return true;
-          i += pair ? 1 : 0;
-        }
-      return false;
-    }
   } // namespace
+
+  bool assigns(const std::string &text)
+  {
+    for (std::size_t i = 0; i < text.size(); ++i)
+      if (text[i] == '=')
+      {
+        const bool pair = i + 1 < text.size() && text[i + 1] == '=';
+        const bool after_comparison =
+            i > 0 && (text[i - 1] == '<' || text[i - 1] == '>' || text[i - 1] == '!');
+        if (!pair && !after_comparison)
+          return true;
+        i += pair ? 1 : 0;
+      }
+    return false;
+  }
 
   BadExpression::BadExpression(const Expression &expression, const std::string &why)
       : BadScene(expression.place.file + ":" + std::to_string(expression.place.line) + ": " +

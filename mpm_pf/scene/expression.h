@@ -29,6 +29,9 @@ namespace scene
     BadExpression(const Expression &, const std::string &cause);
   };
 
+  /// Does an expression write to a variable, which muParser would let it ("x = 3")?
+  bool assigns(const std::string &expression);
+
   /// What an expression may depend on. Shapes: initial X and current x positions, length 2; time t.
   struct Argument
   {
