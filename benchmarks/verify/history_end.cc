@@ -45,18 +45,25 @@ namespace verify
                          { return positive(wall, "speed") && positive(wall, "travel"); });
     }
 
-    /// Until when a table must have been recorded, if the scene tells and nothing else may end the
-    /// run.
-    std::optional<double> end_of(const std::string &scene, const std::string &table)
+    toml::value scene_of(const record::Reader &reader)
     {
+      std::istringstream stream(reader.scene_text());
+      return toml::parse(stream, "the record's scene");
+    }
+
+    /// Until when a probe must have been recorded, if the scene tells and nothing else may end the
+    /// run.
+    std::optional<double> end_of(const record::Reader &reader, const std::string &probe)
+    {
+      if (may_end_early(reader))
+        return {};
       try
       {
-        std::istringstream stream(scene);
-        const toml::value root = toml::parse(stream, "the record's scene");
-        if (walls_move(root) || !root.contains("clock") || !root.at("clock").contains("end"))
+        const toml::value root = scene_of(reader);
+        if (!root.contains("clock") || !root.at("clock").contains("end"))
           return {};
         const auto clock = number(root.at("clock").at("end"));
-        const auto listed = last_listed(root, table);
+        const auto listed = last_listed(root, probe);
         return clock && listed ? std::min(*clock, *listed) : clock;
       }
       catch (const std::exception &) // a scene that this program cannot read says nothing
@@ -64,19 +71,43 @@ namespace verify
         return {};
       }
     }
+
+    void refuse_end_before(const double last, const double end, const double slack)
+    {
+      if (last < end - slack * (1. + 1e-9))
+        throw MissingData(
+            fmt::format("short: recorded until time {}, and the clock ends at {}", last, end));
+    }
   } // namespace
+
+  bool may_end_early(const record::Reader &reader)
+  {
+    try
+    {
+      return !reader.attribute("ended_by").empty() || walls_move(scene_of(reader));
+    }
+    catch (const std::exception &) // a scene that this program cannot read
+    {
+      return true;
+    }
+  }
 
   void refuse_early_end(const record::Reader &reader, const std::string &table,
                         const std::vector<double> &times)
   {
-    const auto end = end_of(reader.scene_text(), table);
-    if (!end || times.empty() || !reader.attribute("ended_by").empty())
+    const auto end = end_of(reader, table);
+    if (!end || times.empty())
       return;
     double spacing = 1e-9 * *end;
     for (std::size_t i = 1; i < times.size(); ++i)
       spacing = std::max(spacing, times[i] - times[i - 1]);
-    if (times.back() < *end - spacing * (1. + 1e-9))
-      throw MissingData(fmt::format("short: recorded until time {}, and the clock ends at {}",
-                                    times.back(), *end));
+    refuse_end_before(times.back(), *end, spacing);
+  }
+
+  void refuse_early_end(const record::Reader &reader, const std::string &probe,
+                        const std::vector<double> &times, const double part)
+  {
+    if (const auto end = end_of(reader, probe); end && !times.empty())
+      refuse_end_before(times.back(), *end, part * *end);
   }
 } // namespace verify

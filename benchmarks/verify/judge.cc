@@ -7,6 +7,7 @@
 
 #include "csv.h"
 #include "curve.h"
+#include "end_times.h"
 #include "grids.h"
 #include "norm.h"
 
@@ -96,6 +97,7 @@ namespace verify
         return *verdict.taken;
       }
       const Quantity reference = reference_for(check, c, records, taken);
+      refuse_unequal_ends(check, records, run);
       if (const auto *number = std::get_if<double>(&reference))
         verdict.reference = *number;
       if (const auto *curve = std::get_if<Curve>(&reference))

@@ -16,7 +16,7 @@ namespace verify
   {
     /// Index of the recorded time that the take wants, to 1e-3 of the recorded length.
     std::size_t time_index(const Take &take, const Constants &constants,
-                           const std::vector<double> &times)
+                           const record::Reader &reader, const std::vector<double> &times)
     {
       if (times.empty())
         throw MissingData("nothing was recorded");
@@ -29,12 +29,15 @@ namespace verify
         return static_cast<std::size_t>(nth) - 1;
       }
       if (take.at.empty() || take.at == "end")
+      {
+        refuse_early_end(reader, take.probes.at(0)[1], times, one_recording);
         return times.size() - 1;
+      }
       const double wanted = evaluate(take.at, constants);
       const auto nearer = [&](double a, double b)
       { return std::abs(a - wanted) < std::abs(b - wanted); };
       const auto found = std::min_element(times.begin(), times.end(), nearer);
-      const double slack = 1e-3 * std::max(std::abs(times.back()), std::abs(wanted));
+      const double slack = one_recording * std::max(std::abs(times.back()), std::abs(wanted));
       if (std::abs(*found - wanted) > slack)
         throw MissingData(
             fmt::format("not recorded at time {}; the nearest is {}", wanted, *found));
@@ -76,7 +79,7 @@ namespace verify
                           const record::Reader &reader)
     {
       const auto line = reader.line(take.probes.at(0)[1]);
-      const std::size_t i = time_index(take, constants, line.time);
+      const std::size_t i = time_index(take, constants, reader, line.time);
       const auto &sample = line.samples.at(i);
       ColumnData columns;
       const std::size_t m = sample.position.size(), k = line.columns.names.size();
@@ -96,7 +99,7 @@ namespace verify
                              const record::Reader &reader)
     {
       const auto all = reader.outline(take.probes.at(0)[1]);
-      Outline outline = all.outlines.at(time_index(take, constants, all.time));
+      Outline outline = all.outlines.at(time_index(take, constants, reader, all.time));
       if (take.mirror == "x" || take.mirror == "y")
         outline = mirrored(outline, take.mirror);
       if (!take.rotate.empty())
@@ -148,7 +151,7 @@ namespace verify
     {
       const std::string &name = take.probes.at(0)[1];
       const auto times = reader.snapshot_times(name);
-      const std::size_t index = time_index(take, constants, times);
+      const std::size_t index = time_index(take, constants, reader, times);
       const auto snapshot = reader.snapshot(name, index);
       std::vector<double> box;
       for (const auto &text : take.box)

@@ -6,6 +6,9 @@
 //   exit              this exit code instead of a record
 //   sleep             seconds of waiting;  burn: seconds of CPU time
 //   short             the history ends at this time instead of 1
+//   recorded          line, outline and snapshot are of this time instead of 1
+//   end               the clock ends at this time instead of 1
+//   bare              so many of the 21 samples of the line lie in no material
 //   wall_travel       the scene has a wall with this travel, and the speed of the next
 //   wall_speed
 //   nan               1: the line probe holds an infinite value
@@ -37,10 +40,10 @@ namespace
   Settings settings_of(const record::CommandLine &command)
   {
     Settings settings{
-        {"error", 0.},     {"order", 2.}, {"h", 1.},     {"exit", 0.},     {"sleep", 0.},
-        {"burn", 0.},      {"short", 1.}, {"nan", 0.},   {"growth", 0.},   {"predicted", 0.},
-        {"hole", -1.},     {"skew", 0.},  {"bytes", 0.}, {"troubled", 0.}, {"wall_travel", -1.},
-        {"wall_speed", 0.}};
+        {"error", 0.},      {"order", 2.},    {"h", 1.},     {"exit", 0.},     {"sleep", 0.},
+        {"burn", 0.},       {"short", 1.},    {"nan", 0.},   {"growth", 0.},   {"predicted", 0.},
+        {"hole", -1.},      {"skew", 0.},     {"bytes", 0.}, {"troubled", 0.}, {"wall_travel", -1.},
+        {"wall_speed", 0.}, {"recorded", 1.}, {"end", 1.},   {"bare", 0.}};
     for (const auto &text : command.overrides)
       if (const auto equal = text.find('='); text.rfind("fake.", 0) == 0 && equal + 1 < text.size())
         settings[text.substr(5, equal - 5)] = std::strtod(text.c_str() + equal + 1, nullptr);
@@ -76,16 +79,20 @@ namespace
     }
     if (s.at("nan") > 0.)
       line.values[3] = std::numeric_limits<double>::infinity();
-    writer.line("profile", {{"u"}, {"m"}}, 1., line);
+    for (int i = 0; i < static_cast<int>(s.at("bare")); ++i)
+      line.values[20 - i] = std::numeric_limits<double>::quiet_NaN();
+    const double recorded = s.at("recorded");
+    writer.line("profile", {{"u"}, {"m"}}, recorded, line);
     const double k = s.at("skew");
     if (k != 0.)
-      writer.outline("outline", 1., {{{-2. - k, -1.}, {2. - k, -1.}, {2. + k, 1.}, {-2. + k, 1.}}});
+      writer.outline("outline", recorded,
+                     {{{-2. - k, -1.}, {2. - k, -1.}, {2. + k, 1.}, {-2. + k, 1.}}});
     else
-      writer.outline("outline", 1., {{{0., 0.}, {1. + off, 0.}, {1. + off, 1.}, {0., 1.}}});
+      writer.outline("outline", recorded, {{{0., 0.}, {1. + off, 0.}, {1. + off, 1.}, {0., 1.}}});
     record::Snapshot snapshot;
     snapshot.vertex = {{0., 0.}, {1., 0.}, {0., 1.}, {1., 1.}};
     snapshot.fields["sum"] = {off, 1. + off, 1. + off, 2. + off};
-    writer.snapshot("fields", 1., snapshot);
+    writer.snapshot("fields", recorded, snapshot);
     writer.attribute("largest", 1. + off);
     if (off > 0.)
       writer.attribute("inertia", "inertia shows: not quasi-static");
@@ -130,7 +137,7 @@ int main(int argc, char **argv)
   std::filesystem::create_directories(command.output);
   scene::Scene scene;
   scene.file = command.scene;
-  scene.text = "title = \"fake\"\n[clock]\nend = 1.0\n";
+  scene.text = "title = \"fake\"\n[clock]\nend = " + std::to_string(s.at("end")) + "\n";
   if (s.at("wall_travel") >= 0.)
     scene.text += "[[wall]]\nside = \"top\"\ntravel = " + std::to_string(s.at("wall_travel")) +
                   "\nspeed = " + std::to_string(s.at("wall_speed")) + "\n";

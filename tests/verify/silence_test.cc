@@ -25,6 +25,45 @@ namespace
   const std::string elements = "{run = \"fe_reference\"}";
 } // namespace
 
+TEST(TheEnd, OfALineAnOutlineAndASnapshotIsThatOfTheRun)
+{
+  const Workspace w;
+  const std::string checks[] = {
+      check("line = \"profile\", of = \"u\"", "{formula = \"x^2\"}", "max"),
+      check("outline = \"outline\", of = \"area\"", "{number = 1}", "absolute"),
+      check("snapshot = \"fields\", of = \"sum\", reduce = \"min\"", "\"zero\"", "absolute")};
+  for (const auto &c : checks)
+  {
+    EXPECT_EQ(only(w.run(runs("") + c)).status, Status::pass) << c;
+    const Campaign early = w.run(runs("\"fake.recorded=0.99\"") + c);
+    EXPECT_EQ(only(early).status, Status::missing) << c;
+    EXPECT_NE(only(early).why.find("recorded until time 0.99"), std::string::npos)
+        << only(early).why;
+  }
+}
+
+TEST(TheEnd, OfTwoRunsIsOneTime)
+{
+  const Workspace w;
+  const std::string half = "\"fake.end=0.5\", \"fake.recorded=0.5\", \"fake.short=0.5\"";
+  for (const auto &c :
+       {check("line = \"profile\", of = \"u\"", elements, "max"),
+        check("table = \"history\", of = \"strain\", at = \"end\"", elements, "absolute")})
+  {
+    EXPECT_EQ(only(w.run(runs("") + c)).status, Status::pass) << c;
+    const Campaign unlike = w.run(runs("", half) + c);
+    EXPECT_EQ(only(unlike).status, Status::missing) << c;
+    EXPECT_NE(only(unlike).why.find("of time 1, what it is held against of time 0.5"),
+              std::string::npos)
+        << only(unlike).why;
+  }
+  EXPECT_EQ(only(w.run(runs("", half) + check("line = \"profile\", of = \"u\", at = 1",
+                                              "{run = \"fe_reference\", at = 0.5}", "max")))
+                .status,
+            Status::pass)
+      << "both times are said";
+}
+
 TEST(Campaign, DrawsFieldsThatHaveDiedAway)
 {
   const Workspace w;
