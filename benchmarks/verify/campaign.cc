@@ -65,11 +65,18 @@ namespace verify
       std::ifstream stream(job.command.log);
       std::stringstream log;
       log << stream.rdbuf();
-      if (std::regex_search(log.str(), std::regex(run.expect_output, std::regex::icase)))
-        return;
+      std::string why = "its output does not contain `" + run.expect_output + "`";
+      try
+      {
+        if (std::regex_search(log.str(), std::regex(run.expect_output, std::regex::icase)))
+          return;
+      }
+      catch (const std::regex_error &error) // the pattern is one, and this log too much for it
+      {
+        why = "`" + run.expect_output + "` cannot be looked for in its output: " + error.what();
+      }
       outcome.status = "failed";
-      outcome.log_tail =
-          fmt::format("its output does not contain `{}`:\n{}", run.expect_output, log.str());
+      outcome.log_tail = why + ":\n" + log.str();
     }
 
     void judge_case(CaseResult &result, const std::string &output)
@@ -190,6 +197,14 @@ namespace verify
       {
         errors += error.what();
       }
+      try
+      {
+        check_accepted(folder);
+      }
+      catch (const BadInput &error)
+      {
+        errors += error.what();
+      }
     }
     if (!errors.empty())
       throw BadInput(errors);
@@ -226,8 +241,6 @@ namespace verify
                              outcomes.begin() + static_cast<long>(next + result.jobs.size()));
       next += result.jobs.size();
       judge_case(result, options.output);
-      if (options.accept && !interrupted())
-        accept(result.verdicts, result.c);
     }
     make_forecasts(campaign);
     campaign.wall_s = stopwatch.wall_seconds();
@@ -236,48 +249,6 @@ namespace verify
       campaign.exit_code = record::interrupted;
     write_campaign(campaign, paths);
     return campaign;
-  }
-
-  namespace
-  {
-    /// Does a check name the run? Then its verdict says what the absence of its program means.
-    bool judged(const CaseResult &result, const std::string &run)
-    {
-      return std::any_of(result.c.checks.begin(), result.c.checks.end(),
-                         [&](const Check &check) { return runs_of(check).count(run) > 0; });
-    }
-  } // namespace
-
-  int exit_code(const std::vector<CaseResult> &cases)
-  {
-    bool failed = false, missing = false, no_reference = false, drifted = false, bad_input = false,
-         diverged = false, broken = false;
-    for (const auto &result : cases)
-    {
-      for (const auto &verdict : result.verdicts)
-      {
-        failed |= verdict.status == Status::fail;
-        missing |= verdict.status == Status::missing;
-        no_reference |= verdict.status == Status::no_reference;
-        drifted |= verdict.drift.drifted;
-      }
-      for (std::size_t i = 0; i < result.outcomes.size(); ++i)
-      {
-        const auto &outcome = result.outcomes[i];
-        broken |= outcome.status == "no program" && !judged(result, result.c.runs[i].name);
-        bad_input |= outcome.status == "bad input";
-        diverged |= outcome.status == "diverged" || outcome.status == "timed out";
-        broken |= outcome.status == "failed";
-      }
-    }
-    // a comparison that was made and failed says more than a run that gave nothing to compare
-    if (failed || (missing && !bad_input && !diverged) || broken)
-      return record::comparison_failed;
-    if (bad_input || diverged)
-      return bad_input ? record::bad_input : record::numerical_trouble;
-    return no_reference ? record::reference_missing
-           : drifted    ? record::drift_only
-                        : record::all_right;
   }
 
   std::string repeat_case(const Paths &paths, const Case &c, const std::string &output)

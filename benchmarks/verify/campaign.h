@@ -42,7 +42,7 @@ namespace verify
   };
 
   /// The cases named (all that the suite has if none is), as they stand in the suite. Throws
-  /// BadInput with every error of their files.
+  /// BadInput with every error of their files, accepted.toml included.
   std::vector<Case> read_cases(const std::vector<std::string> &named, const std::string &suite,
                                const Paths &);
 
@@ -52,7 +52,7 @@ namespace verify
   std::vector<Job> jobs_of(const Case &, const Paths &, const std::string &output);
 
   /// Runs, judges, writes campaign.json, verdict.json, curves.json and junit.xml. Throws BadInput
-  /// before any work if an expect.toml is wrong.
+  /// before any work if an expect.toml or accepted.toml is wrong. Accepts nothing: see drift.h.
   Campaign run_campaign(const CampaignOptions &, const Paths &);
 
   /// 0 all right, 1 a comparison failed or a run without its program is held against nothing, 2 a

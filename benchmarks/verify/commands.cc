@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "drift.h"
 #include "section.h"
 
 namespace verify
@@ -157,6 +158,8 @@ namespace verify
       print_case(result);
     print_sum(campaign, paths);
     report(paths, options.output);
+    if (options.accept && !interrupted()) // last: whatever becomes of it, the verdicts are written
+      accept(campaign);
     return campaign.exit_code;
   }
 

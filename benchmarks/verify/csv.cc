@@ -1,5 +1,8 @@
 #include "csv.h"
 
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
 #include <fstream>
 #include <sstream>
 
@@ -28,18 +31,25 @@ namespace verify
 
     double to_number(const std::string &text, const std::string &path, const int line)
     {
-      try
-      {
-        std::size_t used = 0;
-        const double value = std::stod(text, &used);
-        if (used == text.size())
-          return value;
-      }
-      catch (const std::exception &)
-      {
-      }
+      char *end = nullptr; // of std::stod a denormal number would be none
+      const double value = std::strtod(text.c_str(), &end);
+      if (!text.empty() && *end == '\0')
+        return value;
       throw BadInput(fmt::format("{}:{}: `{}` is not a number", path, line, text));
     }
+    /// A heading is a name of expressions.
+    void check_heading(const std::string &name, const std::string &path, const int line)
+    {
+      const auto part_of_a_name = [](const unsigned char c) { return std::isalnum(c) || c == '_'; };
+      if (name.empty() || std::isdigit(static_cast<unsigned char>(name[0])) ||
+          !std::all_of(name.begin(), name.end(), part_of_a_name))
+        throw BadInput(fmt::format("{}:{}: the heading `{}` is no name: write letters, digits and "
+                                   "_, a letter first",
+                                   path, line, name));
+    }
+
+    // What spreadsheets write before a text in UTF-8.
+    const std::string byte_order_mark = "\xEF\xBB\xBF";
   } // namespace
 
   ColumnData read_csv(const std::string &path)
@@ -52,6 +62,8 @@ namespace verify
     std::string line;
     for (int number = 1; std::getline(stream, line); ++number)
     {
+      if (number == 1 && line.rfind(byte_order_mark, 0) == 0)
+        line.erase(0, byte_order_mark.size());
       const auto row = fields(line);
       if (row.empty() || (row.size() == 1 && row[0].empty()) || row[0][0] == '#')
         continue;
@@ -59,7 +71,12 @@ namespace verify
       {
         header = row;
         for (const auto &name : header)
-          columns[name];
+        {
+          check_heading(name, path, number);
+          if (!columns.emplace(name, std::vector<double>()).second)
+            throw BadInput(fmt::format("{}:{}: two headings are `{}`: rename one of them", path,
+                                       number, name));
+        }
         continue;
       }
       if (row.size() != header.size())

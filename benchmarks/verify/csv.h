@@ -8,7 +8,7 @@
 
 namespace verify
 {
-  /// Throws MissingReference if the file is absent, BadInput naming file and line if a row is not
-  /// numbers.
+  /// Throws MissingReference if the file is absent, BadInput naming file and line if a heading is
+  /// no name of expressions or stands twice, or a row is not as many numbers.
   ColumnData read_csv(const std::string &path);
 } // namespace verify

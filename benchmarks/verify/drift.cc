@@ -4,9 +4,12 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <set>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include "forecasts.h"
 #include "record/atomic_write.h"
 #include "section.h"
 
@@ -27,12 +30,15 @@ namespace verify
       if (!std::filesystem::exists(path_of(c)))
         return values;
       Section file(path_of(c), suite);
-      auto table = file.section(suite);
-      if (!table)
-        return values;
-      for (const auto &name : table->keys())
-        if (const auto value = table->number(name))
-          values[name] = *value;
+      if (auto table = file.section(suite))
+        for (const auto &name : table->keys())
+        {
+          const auto value = table->number(name);
+          if (value && !std::isfinite(*value))
+            table->add_error(name, fmt::format("a value of {} cannot have been accepted", *value),
+                             "take the line out; --accept writes it anew");
+          values[name] = value.value_or(0.);
+        }
       file.throw_errors();
       return values;
     }
@@ -61,6 +67,24 @@ namespace verify
     }
   } // namespace
 
+  void check_accepted(const std::string &folder)
+  {
+    Case c;
+    c.folder = folder;
+    std::set<std::string> errors; // one that is no TOML is the same for every suite
+    for (const char *suite : {"smoke", "quick", "full"})
+      try
+      {
+        accepted_values(c, suite);
+      }
+      catch (const BadInput &error)
+      {
+        errors.insert(error.what());
+      }
+    if (!errors.empty())
+      throw BadInput(fmt::format("{}\n", fmt::join(errors, "\n")));
+  }
+
   void compare_with_accepted(std::vector<Verdict> &verdicts, const Case &c)
   {
     const Values values = accepted_values(c, c.suite);
@@ -83,7 +107,10 @@ namespace verify
       all[suite] = accepted_values(c, suite);
     Values kept; // what did not pass, or had no program or reference here, keeps its old value
     for (const auto &verdict : verdicts)
-      if (const auto old = all[c.suite].find(verdict.check.name); verdict.status == Status::pass)
+      if (is_forecast(verdict))
+        continue; // it has no drift: the machine decides
+      else if (const auto old = all[c.suite].find(verdict.check.name);
+               verdict.status == Status::pass)
         kept[verdict.check.name] = *verdict.value;
       else if (old != all[c.suite].end())
         kept.insert(*old);
@@ -104,5 +131,22 @@ namespace verify
         }
       }
     record::write_atomically(path_of(c), file);
+  }
+
+  void accept(const Campaign &campaign)
+  {
+    std::string errors;
+    for (const auto &result : campaign.cases)
+      try
+      {
+        accept(result.verdicts, result.c);
+      }
+      catch (const std::filesystem::filesystem_error &error)
+      {
+        errors += fmt::format("{} cannot be written: {}; its accepted values are the old ones\n",
+                              path_of(result.c), error.code().message());
+      }
+    if (!errors.empty())
+      throw BadInput(errors);
   }
 } // namespace verify

@@ -175,7 +175,7 @@ namespace verify
       if (verdict.uncertainty_text.empty())
         return;
       verdict.uncertainty = std::sqrt(square);
-      if (of_reference > check.high && verdict.status == Status::pass)
+      if (!(of_reference <= check.high) && verdict.status == Status::pass)
       {
         verdict.status = Status::fail;
         verdict.why = fmt::format("the reference is uncertain by {:.3g}, more than the limit: it "
@@ -212,7 +212,7 @@ namespace verify
       verdict.status = Status::no_reference;
       verdict.why = error.what();
     }
-    catch (const MissingData &error)
+    catch (const std::exception &error) // whatever it is, the verdicts of the others stay
     {
       verdict.status = Status::missing;
       verdict.why = error.what();

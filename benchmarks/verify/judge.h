@@ -45,8 +45,8 @@ namespace verify
     Drift drift;
   };
 
-  /// Never throws for data; throws BadInput where the check itself makes no sense (an expression
-  /// that is none).
+  /// Never throws: where the data are absent, or the check makes no sense of them, the status is
+  /// missing and `why` says so.
   Verdict judge(const Check &, const Case &, Records &);
 
   /// One line: the take, the reference (for tables and the report).

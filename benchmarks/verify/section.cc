@@ -1,6 +1,7 @@
 #include "section.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <map>
 #include <set>
@@ -171,7 +172,7 @@ namespace verify
       return {};
     if (value->is_integer())
       return static_cast<double>(value->as_integer());
-    if (value->is_floating())
+    if (value->is_floating() && !std::isnan(value->as_floating()))
       return value->as_floating();
     node->add_error(*value, fmt::format("`{}` must be a number", key), "");
     return {};
@@ -194,6 +195,9 @@ namespace verify
       flatten(*value, result, good);
     if (!good)
       node->add_error(*value, fmt::format("`{}` must hold numbers or expressions", key), "");
+    if (std::count(result.begin(), result.end(), "") > 0)
+      node->add_error(*value, fmt::format("`{}` holds an empty expression", key),
+                      "write a number or an expression, or leave the key out");
     return result;
   }
 

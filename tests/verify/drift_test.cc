@@ -3,6 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "commands.h"
+#include "drift.h"
+#include "section.h"
 #include "workspace.h"
 
 using namespace verify;
@@ -29,9 +31,9 @@ namespace
   Campaign accept(const Workspace &w, const std::string &set, const std::string &checks)
   {
     w.write("cases/bar/expect.toml", "title = \"bar\"\n" + run_with(set) + checks);
-    auto options = w.options();
-    options.accept = true;
-    return run_campaign(options, w.paths());
+    const Campaign campaign = run_campaign(w.options(), w.paths());
+    verify::accept(campaign);
+    return campaign;
   }
 } // namespace
 
@@ -105,4 +107,33 @@ TEST(Drift, FromNothingIsSaidAndFailsNothing)
   const auto checks = nlohmann::json::parse(w.read("results/bar/verdict.json")).at("checks");
   EXPECT_EQ(checks.at(0).at("drift").at("status"), "same");
   EXPECT_EQ(checks.at(1).at("drift").at("status"), "no accepted value");
+}
+
+TEST(Accepting, TakesNoForecastForACheck)
+{
+  const Workspace w;
+  accept(w, "", check("1"));
+  const std::string file = w.read("cases/bar/accepted.toml");
+  EXPECT_NE(file.find("\"c\" = "), std::string::npos) << file;
+  EXPECT_EQ(file.find("forecast"), std::string::npos) << file;
+}
+
+TEST(Drift, FromWhatIsNoNumberIsRefusedBeforeAnythingRuns)
+{
+  for (const char *broken : {"[quick]\n\"c\" = nan\n", "[quick]\n\"c\" = inf\n",
+                             "[full]\n\"c\" = \"one\"\n", "[quick\n"})
+  {
+    const Workspace w;
+    w.write("cases/bar/accepted.toml", broken);
+    try
+    {
+      w.run(run_with("") + check("1"));
+      ADD_FAILURE() << broken;
+    }
+    catch (const BadInput &error)
+    {
+      EXPECT_NE(std::string(error.what()).find("accepted.toml"), std::string::npos) << error.what();
+    }
+    EXPECT_FALSE(std::filesystem::exists(w.root / "results")) << broken;
+  }
 }

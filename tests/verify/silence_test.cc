@@ -72,3 +72,19 @@ TEST(Campaign, DrawsFieldsThatHaveDiedAway)
                              "{formula = \"sin(x)*1e-300*2e-10\"}", "max"));
   EXPECT_EQ(campaign.exit_code, 0) << only(campaign).why;
 }
+
+// Records and tables may change under a check that was in order when it was read.
+TEST(Judge, TellsWhatItTripsOver)
+{
+  const Workspace w;
+  const Campaign campaign =
+      w.run(runs("") + check("table = \"history\", of = \"force\", at = 1", elements, "relative"));
+  const CaseResult &result = campaign.cases.at(0);
+  Records records((w.root / "results/bar/quick").string(), {});
+  Check broken = result.c.checks.at(0);
+  EXPECT_EQ(judge(broken, result.c, records).status, Status::pass);
+  broken.take.of = "force +* 2";
+  const Verdict verdict = judge(broken, result.c, records);
+  EXPECT_EQ(verdict.status, Status::missing);
+  EXPECT_NE(verdict.why.find("force +* 2"), std::string::npos) << verdict.why;
+}
