@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <regex>
 #include <set>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "cannot_fail.h"
 #include "expect_formulas.h"
 #include "expect_take.h"
 #include "section.h"
@@ -48,29 +50,6 @@ namespace verify
     return scene_stem(suite) + ".toml";
   }
 
-  namespace
-  {
-    void collect_runs(const Take &take, std::set<std::string> &names)
-    {
-      if (take.kind != Take::Kind::value)
-        names.insert(take.run);
-      for (const auto &inner : take.with)
-        collect_runs(inner, names);
-    }
-  } // namespace
-
-  std::set<std::string> runs_of(const Check &check)
-  {
-    std::set<std::string> names(check.order_over.begin(), check.order_over.end());
-    if (check.order_over.empty())
-      collect_runs(check.take, names);
-    if (check.against.kind == Against::Kind::run)
-      collect_runs(check.against.take, names);
-    names.insert(check.uncertain_take.begin(), check.uncertain_take.end());
-    names.insert(check.uncertain_against.begin(), check.uncertain_against.end());
-    return names;
-  }
-
   bool takes_part(const std::string &folder, const std::string &suite)
   {
     return fs::exists(fs::path(folder) / scene_file(suite));
@@ -87,9 +66,26 @@ namespace verify
       return suites.empty() || std::find(suites.begin(), suites.end(), suite) != suites.end();
     }
 
+    // Of a value that a compiler changes tenfold, as round-off is, nothing can have drifted; more
+    // would let everything pass.
+    constexpr double largest_drift = 10.;
+
     double default_time_limit(const std::string &suite)
     {
       return suite == "smoke" ? 60. : suite == "quick" ? 300. : 1800.;
+    }
+
+    void check_output_pattern(Section &section, const std::string &pattern)
+    {
+      try
+      {
+        const std::regex compiled(pattern, std::regex::icase);
+      }
+      catch (const std::regex_error &)
+      {
+        section.add_error("expect_output", fmt::format("`{}` is no regular expression", pattern),
+                          "a bracket, *, + or ? that means itself needs \\\\ before it");
+      }
     }
 
     Run read_run(Section &section, const Case &c)
@@ -105,29 +101,14 @@ namespace verify
       run.set = section.texts("set");
       run.needs = section.texts("needs");
       run.h = section.number("h");
+      check_mesh_size(section, run);
       run.threads = static_cast<int>(section.number("threads").value_or(1));
       run.processes = static_cast<int>(section.number("processes").value_or(1));
       run.time_limit_s = section.number("time_limit_s").value_or(default_time_limit(c.suite));
       run.expect_exit = static_cast<int>(section.number("expect_exit").value_or(0));
       run.expect_output = section.text("expect_output");
+      check_output_pattern(section, run.expect_output);
       return run;
-    }
-
-    void read_limit(Section &section, Check &check, const Constants &constants)
-    {
-      const auto limits = section.expressions("limit");
-      const bool interval = check.norm == "value" || !check.order_over.empty();
-      if (limits.empty() || limits.size() > 2 || (interval && limits.size() == 1))
-      {
-        section.add_error("limit",
-                          interval ? "this check needs limit = [low, high]: limits are two-sided"
-                                   : "this check needs limit = one number, or [low, high]");
-        return;
-      }
-      check.low = limits.size() == 2 ? value_of(section, "limit", limits[0], constants) : 0.;
-      check.high = value_of(section, "limit", limits.back(), constants);
-      if (!(check.low <= check.high))
-        section.add_error("limit", "the lower limit is above the upper one");
     }
 
     void read_uncertainty(Section &section, Check &check)
@@ -141,6 +122,10 @@ namespace verify
       for (const auto &runs : {check.uncertain_take, check.uncertain_against})
         if (runs.size() == 1 || runs.size() == 2)
           section.add_error("uncertainty", "an uncertainty needs at least three grids");
+      if (!check.uncertain_against.empty() && check.against.kind != Against::Kind::run)
+        section.add_error("uncertainty",
+                          "`against` names grids, and the check is held against no run",
+                          "leave them out: a formula, a table or a number has no grids");
       uncertainty->refuse_unused();
     }
 
@@ -156,8 +141,9 @@ namespace verify
       check.order_over = section.texts("order_over");
       check.coverage = section.number("coverage");
       check.drift = section.number("drift").value_or(0.02);
-      if (std::find(norms.begin(), norms.end(), check.norm) == norms.end())
-        section.add_error("norm", "no such norm", fmt::format("one of {}", fmt::join(norms, ", ")));
+      if (!(check.drift >= 0. && check.drift <= largest_drift))
+        section.add_error("drift", fmt::format("a drift of {} is none", check.drift),
+                          fmt::format("from 0 to {}", largest_drift));
       if (check.order_over.size() == 1)
         section.add_error("order_over", "an order needs at least two runs");
       if (auto take = section.section("take"))
@@ -165,10 +151,12 @@ namespace verify
       else
         section.add_error("", "the check has no `take`");
       check.against = read_against(section, check);
+      check_norm(section, "norm", check);
       read_uncertainty(section, check);
       read_limit(section, check, c.constants);
       check_formulas(section, check, c.constants);
-      refuse_zero_scale(section, check, c.constants);
+      check_csv(section, check, c);
+      refuse_what_cannot_fail(section, check, c.constants);
       return check;
     }
 
@@ -184,6 +172,16 @@ namespace verify
                             "list it as [[run]], or restrict the check with suites = [...]");
         else if (graded.count(name) && !c.find_run(name)->h)
           section.add_error("take", fmt::format("run `{}` needs its mesh size `h`", name));
+      const auto refuse_equal = [&](const std::string &key, const std::vector<std::string> &names)
+      {
+        std::vector<const Run *> runs;
+        for (const auto &name : names)
+          runs.push_back(c.find_run(name));
+        refuse_equal_grids(section, key, runs);
+      };
+      refuse_equal("order_over", check.order_over);
+      refuse_equal("uncertainty", check.uncertain_take);
+      refuse_equal("uncertainty", check.uncertain_against);
     }
 
     /// Runs that need each other would wait for ever.

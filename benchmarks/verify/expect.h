@@ -83,6 +83,10 @@ namespace verify
     double drift = 0.02;
   };
 
+  /// Names of the runs that a take is of.
+  std::set<std::string> runs_of(const Take &);
+  /// Names of the runs that the check judges: not those that it holds them against.
+  std::set<std::string> runs_taken_by(const Check &);
   /// Names of all runs that the check takes anything from.
   std::set<std::string> runs_of(const Check &);
 

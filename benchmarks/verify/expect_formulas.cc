@@ -1,9 +1,13 @@
 #include "expect_formulas.h"
 
+#include <cmath>
+#include <filesystem>
 #include <set>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
+#include "csv.h"
 
 namespace verify
 {
@@ -40,12 +44,29 @@ namespace verify
       }
     }
 
+    /// Recordings are counted from 1.
+    void check_nth(Section &section, const std::string &key, const Take &take,
+                   const Constants &constants)
+    {
+      try
+      {
+        const double nth = take.nth.empty() ? 1. : evaluate(take.nth, constants);
+        if (!(nth >= 1.) || nth != std::floor(nth))
+          section.add_error(key, fmt::format("nth = {} is no recording", take.nth),
+                            "give a whole number from 1");
+      }
+      catch (const BadInput &) // examine_take tells of it
+      {
+      }
+    }
+
     void examine_take(Section &section, const std::string &key, const Take &take,
                       const Constants &constants)
     {
       using Kind = Take::Kind;
       const auto of_constants = [&](const std::string &text)
       { examine(section, key, text, constants, {}, Columns::none); };
+      check_nth(section, key, take, constants);
       for (const auto &text :
            {take.at == "end" ? "" : take.at, take.nth, take.x, take.y, take.rotate})
         of_constants(text);
@@ -76,18 +97,46 @@ namespace verify
       examine(section, "against", check.against.text, constants, {}, Columns::none);
   }
 
-  void refuse_zero_scale(Section &section, const Check &check, const Constants &constants)
+  void check_csv(Section &section, const Check &check, const Case &c)
   {
+    const std::string path = c.folder + "/" + check.against.text;
+    if (check.against.kind != Against::Kind::csv || !std::filesystem::exists(path))
+      return;
     try
     {
-      if (!check.scale.empty() && evaluate(check.scale, constants) == 0.)
-        section.add_error("scale",
-                          fmt::format("`{}` is zero: nothing can be divided by it", check.scale),
-                          "leave `scale` out for a norm that nothing divides");
+      const ColumnData columns = read_csv(path);
+      for (const auto &text : {check.against.take.of, check.against.take.abscissa})
+        for (const auto &name : unknown_names(text, c.constants))
+          if (columns.count(name) == 0)
+          {
+            Names known;
+            for (const auto &column : columns)
+              known.insert(column.first);
+            section.add_error("against", fmt::format("{} has no column `{}`", path, name),
+                              fmt::format("there are: {}", fmt::join(known, ", ")));
+          }
     }
-    catch (const BadInput &) // check_formulas tells of it
+    catch (const BadInput &error)
     {
+      section.add_error("against", error.what());
     }
+  }
+
+  void read_limit(Section &section, Check &check, const Constants &constants)
+  {
+    const auto limits = section.expressions("limit");
+    const bool interval = check.norm == "value" || !check.order_over.empty();
+    if (limits.empty() || limits.size() > 2 || (interval && limits.size() == 1))
+    {
+      section.add_error("limit", interval
+                                     ? "this check needs limit = [low, high]: limits are two-sided"
+                                     : "this check needs limit = one number, or [low, high]");
+      return;
+    }
+    check.low = limits.size() == 2 ? value_of(section, "limit", limits[0], constants) : 0.;
+    check.high = value_of(section, "limit", limits.back(), constants);
+    if (!(check.low <= check.high))
+      section.add_error("limit", "the lower limit is above the upper one");
   }
 
   double value_of(Section &section, const std::string &key, const std::string &text,
@@ -95,12 +144,15 @@ namespace verify
   {
     try
     {
-      return evaluate(text, constants);
+      const double value = evaluate(text, constants);
+      if (std::isfinite(value))
+        return value;
+      section.add_error(key, fmt::format("`{}` is {}", text, value), "a finite number is needed");
     }
     catch (const BadInput &error)
     {
       section.add_error(key, error.what());
-      return 0.;
     }
+    return 0.;
   }
 } // namespace verify

@@ -13,9 +13,15 @@ namespace verify
   /// of constants that is none. Names of columns are known only when the record is.
   void check_formulas(Section &, const Check &, const Constants &);
 
-  /// Notes a `scale` that is zero: a norm would be divided by it.
-  void refuse_zero_scale(Section &, const Check &, const Constants &);
+  /// Notes what is wrong with the table in the case folder that the check is held against, and
+  /// columns that it does not have. One that is not there is a missing reference, of which the
+  /// verdict tells.
+  void check_csv(Section &, const Check &, const Case &);
 
-  /// The value of an expression of constants; one that has none is noted at the key, and is 0.
+  /// Reads the key `limit` of a check whose norm is known: one number, or [low, high].
+  void read_limit(Section &, Check &, const Constants &);
+
+  /// The value of an expression of constants; one that has none, or no finite one, is noted at the
+  /// key, and is 0.
   double value_of(Section &, const std::string &key, const std::string &text, const Constants &);
 } // namespace verify

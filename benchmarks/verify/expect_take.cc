@@ -5,16 +5,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "expect_formulas.h"
+#include "take_keys.h"
+
 namespace verify
 {
   namespace
   {
-    const std::vector<std::string> reductions{"max",   "min",      "max_abs", "mean",
-                                              "rms",   "first",    "last",    "range",
-                                              "slope", "integral", "ripple"};
-    const std::vector<std::string> of_outlines{"polygon", "area",      "perimeter", "side",
-                                               "reach",   "extreme_x", "extreme_y"};
-    const std::vector<std::string> sides{"left", "right", "bottom", "top"};
     const std::vector<std::pair<std::string, Take::Kind>> kinds{
         {"table", Take::Kind::table},     {"line", Take::Kind::line},
         {"outline", Take::Kind::outline}, {"snapshot", Take::Kind::snapshot},
@@ -58,55 +55,6 @@ namespace verify
         }
     }
 
-    bool any_of(const std::vector<std::string> &words, const std::string &word)
-    {
-      return std::find(words.begin(), words.end(), word) != words.end();
-    }
-
-    void check_outline(Section &section, const Take &take)
-    {
-      if (take.of == "side" && (take.side.empty() || take.x.empty() == take.y.empty()))
-        section.add_error("", "a side position needs side = \"left\" or \"right\" and y, or "
-                              "side = \"top\" or \"bottom\" and x");
-      if (take.of.rfind("extreme_", 0) == 0 && take.side.empty())
-        section.add_error("", "an extreme needs side = \"left\", \"right\", \"bottom\" or \"top\"");
-      if (!take.of.empty() && !any_of(of_outlines, take.of))
-        section.add_error("of", fmt::format("an outline has no `{}`", take.of),
-                          fmt::format("one of {}", fmt::join(of_outlines, ", ")));
-      if (!take.side.empty() && !any_of(sides, take.side))
-        section.add_error("side", fmt::format("no such side: `{}`", take.side),
-                          fmt::format("one of {}", fmt::join(sides, ", ")));
-    }
-
-    void check_needs(Section &section, const Take &take)
-    {
-      using Kind = Take::Kind;
-      if (take.kind == Kind::snapshot && take.reduce.empty())
-        section.add_error("", "a snapshot needs `reduce`: max, min, mean, ...");
-      for (const char *along : {"slope", "integral", "ripple"})
-        if (take.kind == Kind::snapshot && take.reduce == along)
-          section.add_error("reduce",
-                            fmt::format("`{}` is along a line or over time; a snapshot has "
-                                        "no abscissa",
-                                        along));
-      if (take.of.empty() &&
-          (take.kind == Kind::table || take.kind == Kind::line || take.kind == Kind::snapshot))
-        section.add_error("", "the take does not say which quantity: `of` is missing");
-      if (take.kind == Kind::outline)
-        check_outline(section, take);
-      if (!take.mirror.empty() && take.mirror != "x" && take.mirror != "y" && take.mirror != "none")
-        section.add_error("mirror", fmt::format("no such mirror: `{}`", take.mirror),
-                          "\"x\" (x -> -x), \"y\" (y -> -y) or \"none\"");
-      if (!take.mirror.empty() && take.kind != Kind::outline)
-        section.add_error("mirror", "only an outline has a mirror image");
-      if (!take.reduce.empty() && !any_of(reductions, take.reduce))
-        section.add_error("reduce", fmt::format("no such reduction: `{}`", take.reduce));
-      if (!take.between.empty() && take.between.size() != 2)
-        section.add_error("between", "`between` is [from, to]");
-      if (!take.box.empty() && take.box.size() != 4)
-        section.add_error("box", "`box` is [[x0, y0], [x1, y1]]");
-    }
-
     bool gives_outline(const Take &take)
     {
       return take.kind == Take::Kind::outline && (take.of.empty() || take.of == "polygon");
@@ -116,21 +64,6 @@ namespace verify
     {
       return take.reduce.empty() &&
              (take.kind == Take::Kind::line || (take.kind == Take::Kind::table && take.at.empty()));
-    }
-
-    void check_norm(Section &section, const Check &check)
-    {
-      const bool of_outlines = check.norm == "hausdorff" || check.norm == "rms_distance" ||
-                               check.norm.find("symmetric_difference") != std::string::npos;
-      if (of_outlines != gives_outline(check.take))
-        section.add_error("norm", of_outlines ? "this norm compares outlines"
-                                              : "outlines need symmetric_difference, hausdorff or "
-                                                "rms_distance");
-      if (gives_curve(check.take) && (check.norm == "relative" || check.norm == "absolute"))
-        section.add_error("norm", "this norm compares numbers and the take is a curve",
-                          "take it with `at` or `reduce`, or say max, rms, l2 or mean");
-      if ((check.norm == "value") != (check.against.kind == Against::Kind::nothing))
-        section.add_error("norm", "`value` stands without `against`, every other norm with it");
     }
 
     Against read_against_table(Section &section, const Take &take)
@@ -155,6 +88,7 @@ namespace verify
         against.take.at = section.expression("at").value_or("");
         against.take.between = section.expressions("between");
         against.take.reduce = section.text("reduce");
+        check_reduction(section, against.take);
       }
       else
       {
@@ -173,14 +107,7 @@ namespace verify
       return;
     for (const auto &key : section->keys())
       if (const auto text = section->expression(key))
-        try
-        {
-          constants.emplace_back(key, evaluate(*text, constants));
-        }
-        catch (const BadInput &error)
-        {
-          section->add_error(key, error.what());
-        }
+        constants.emplace_back(key, value_of(*section, key, *text, constants));
   }
 
   Take read_take(Section &section, const Take *base)
@@ -215,7 +142,9 @@ namespace verify
       take.box = section.expressions("box");
     if (makes_value)
       read_with(section, take);
-    check_needs(section, take);
+    if (base)
+      replace_inherited(section, take);
+    check_keys(section, take);
     section.refuse_unused();
     return take;
   }
@@ -232,9 +161,27 @@ namespace verify
     }
     else if (auto table = section.section("against"))
       against = read_against_table(*table, check.take);
-    Check known = check;
-    known.against = against;
-    check_norm(section, known);
     return against;
+  }
+
+  void check_norm(Section &section, const std::string &key, const Check &check)
+  {
+    if (std::find(norms.begin(), norms.end(), check.norm) == norms.end())
+    {
+      section.add_error(key, fmt::format("no such norm: `{}`", check.norm),
+                        fmt::format("one of {}", fmt::join(norms, ", ")));
+      return;
+    }
+    const bool of_outlines = check.norm == "hausdorff" || check.norm == "rms_distance" ||
+                             check.norm.find("symmetric_difference") != std::string::npos;
+    if (of_outlines != gives_outline(check.take))
+      section.add_error(key, of_outlines ? "this norm compares outlines"
+                                         : "outlines need symmetric_difference, hausdorff or "
+                                           "rms_distance");
+    if (gives_curve(check.take) && (check.norm == "relative" || check.norm == "absolute"))
+      section.add_error(key, "this norm compares numbers and the take is a curve",
+                        "take it with `at` or `reduce`, or say max, rms, l2 or mean");
+    if ((check.norm == "value") != (check.against.kind == Against::Kind::nothing))
+      section.add_error(key, "`value` stands without `against`, every other norm with it");
   }
 } // namespace verify

@@ -11,7 +11,9 @@ namespace verify
   void read_constants(Section &file, Constants &);
   /// `base`: where omitted keys come from (an `against` that names another run), or null.
   Take read_take(Section &, const Take *base);
-  /// Reads the key `against` of a check whose take and norm are known. Errors are noted in the
-  /// section.
+  /// Reads the key `against` of a check whose take is known. Errors are noted in the section.
   Against read_against(Section &check_section, const Check &);
+  /// Notes at the key a norm that there is not, or that does not fit the take and what it is held
+  /// against.
+  void check_norm(Section &, const std::string &key, const Check &);
 } // namespace verify

@@ -49,7 +49,9 @@ namespace verify
         return std::sqrt(square / total);
       if (ends_with(name, "l2"))
         return std::sqrt(square);
-      return sum / total;
+      if (ends_with(name, "mean"))
+        return sum / total;
+      throw MissingData(fmt::format("the norm `{}` compares no curves", name));
     }
 
     double curve_size(const std::string &name, const Curve &reference)
@@ -66,7 +68,11 @@ namespace verify
     {
       if (name == "hausdorff")
         return hausdorff(a, b);
-      return name == "rms_distance" ? rms_distance(a, b) : symmetric_difference(a, b);
+      if (name == "rms_distance")
+        return rms_distance(a, b);
+      if (ends_with(name, "symmetric_difference"))
+        return symmetric_difference(a, b);
+      throw MissingData(fmt::format("the norm `{}` compares no outlines", name));
     }
 
     double raw_distance(const Norm &norm, const Quantity &a, const Quantity &b)
@@ -93,7 +99,7 @@ namespace verify
   double distance(const Norm &norm, const Quantity &a, const Quantity &b, const Quantity &size_of)
   {
     double value = raw_distance(norm, a, b);
-    if (norm.scale && !(std::abs(*norm.scale) > 0.))
+    if (norm.scale && !(std::abs(*norm.scale) > 0. && std::isfinite(*norm.scale)))
       throw MissingData(fmt::format("the scale is {}: nothing can be divided by it", *norm.scale));
     if (norm.scale)
       value /= std::abs(*norm.scale);

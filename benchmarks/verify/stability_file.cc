@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "cannot_fail.h"
 #include "expect_formulas.h"
 #include "expect_take.h"
 #include "section.h"
@@ -61,17 +62,13 @@ namespace verify
       for (auto &inner : check.take.with)
         inner.run = "cell";
       check.against = read_against(section, check);
-      const auto limits = section.expressions("limit");
-      if (limits.empty() || limits.size() > 2)
-        section.add_error("", "`limit` is one number, or [low, high]");
-      else
-      {
-        check.low = limits.size() == 2 ? value_of(section, "limit", limits[0], c.constants) : 0.;
-        check.high = value_of(section, "limit", limits.back(), c.constants);
-      }
+      check_norm(section, "norm", check);
+      read_limit(section, check, c.constants);
       Constants known = c.constants;
       known.insert(known.end(), {{"axis_x", 0.}, {"axis_y", 0.}}); // each cell has its own
       check_formulas(section, check, known);
+      check_csv(section, check, c);
+      refuse_what_cannot_fail(section, check, c.constants);
       accurate.maps = section.texts("maps");
       section.refuse_unused();
       return accurate;

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "cannot_fail.h"
 #include "expect_formulas.h"
 #include "expect_take.h"
 #include "judge.h"
@@ -42,14 +43,20 @@ namespace verify
         run.h = section.number("h");
         if (!run.h)
           section.add_error("", "a reference needs its mesh size `h`");
+        check_mesh_size(section, run);
         run.name = fmt::format("reference_{}", trade.c.runs.size() + 1);
         section.refuse_unused();
         trade.c.runs.push_back(run);
       }
       std::sort(trade.c.runs.begin(), trade.c.runs.end(),
                 [](const Run &a, const Run &b) { return a.h < b.h; });
+      std::vector<const Run *> grids;
       for (const auto &run : trade.c.runs)
+      {
         trade.references.push_back(run.name);
+        grids.push_back(&run);
+      }
+      refuse_equal_grids(file, "reference", grids);
     }
 
     void read_quantity(Section &section, Trade &trade)
@@ -86,10 +93,12 @@ namespace verify
           check.uncertain_against = trade.references;
       }
       check_formulas(section, check, trade.c.constants);
-      refuse_zero_scale(section, check, trade.c.constants);
+      check_csv(section, check, trade.c);
+      refuse_what_cannot_fail(section, check, trade.c.constants);
       for (const auto &norm : norms)
       {
         check.norm = norm;
+        check_norm(section, "norms", check);
         check.name = name + ", " + norm;
         trade.measures.push_back(check);
       }
