@@ -6,6 +6,7 @@
 #include <fstream>
 #include <map>
 #include <regex>
+#include <set>
 #include <sstream>
 #include <thread>
 
@@ -79,6 +80,45 @@ namespace verify
       outcome.log_tail = why + ":\n" + log.str();
     }
 
+    /// An absent program of the reference is an absent reference, not a wrong solver; but where
+    /// what is judged is absent as well, nothing at all was compared.
+    void tell_absent_references(CaseResult &result)
+    {
+      std::set<std::string> absent;
+      for (std::size_t i = 0; i < result.outcomes.size(); ++i)
+        if (result.outcomes[i].status == "no program")
+          absent.insert(result.c.runs[i].name);
+      const auto any_absent = [&](const std::set<std::string> &runs)
+      {
+        return std::any_of(runs.begin(), runs.end(),
+                           [&](const std::string &run) { return absent.count(run) > 0; });
+      };
+      for (auto &verdict : result.verdicts)
+        if (verdict.status == Status::missing && verdict.check.against.kind == Against::Kind::run &&
+            any_absent(runs_of(verdict.check.against.take)) &&
+            !any_absent(runs_taken_by(verdict.check)))
+          verdict.status = Status::no_reference;
+    }
+
+    /// A case of which nothing is asked must not pass.
+    void refuse_silence(CaseResult &result)
+    {
+      const auto &runs = result.c.runs;
+      const bool must_fail = std::any_of(runs.begin(), runs.end(),
+                                         [](const Run &run) { return run.expect_exit != 0; });
+      if (!result.c.checks.empty() || must_fail)
+        return;
+      Verdict nothing;
+      nothing.check.name = "what must come out";
+      nothing.check.norm = "value";
+      nothing.check.source = result.c.folder + "/expect.toml";
+      nothing.check.reason = "silence never passes";
+      nothing.why = fmt::format("{} has no [[check]] for suite {}, and no run that must fail: "
+                                "nothing was asked; add a [[check]], or expect_exit",
+                                nothing.check.source, result.c.suite);
+      result.verdicts.push_back(nothing);
+    }
+
     void judge_case(CaseResult &result, const std::string &output)
     {
       std::map<std::string, std::string> unusable;
@@ -94,13 +134,8 @@ namespace verify
       Records records(output + "/" + result.c.name + "/" + scene_stem(result.c.suite), unusable);
       for (const auto &check : result.c.checks)
         result.verdicts.push_back(judge(check, result.c, records));
-      // an absent program of the reference is an absent reference, not a wrong solver
-      for (auto &verdict : result.verdicts)
-        for (std::size_t i = 0; i < result.outcomes.size(); ++i)
-          if (verdict.status == Status::missing && result.outcomes[i].status == "no program" &&
-              verdict.check.against.take.run == result.c.runs[i].name &&
-              verdict.check.take.run != result.c.runs[i].name)
-            verdict.status = Status::no_reference;
+      tell_absent_references(result);
+      refuse_silence(result);
       compare_with_accepted(result.verdicts, result.c);
     }
 

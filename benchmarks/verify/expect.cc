@@ -57,12 +57,22 @@ namespace verify
 
   namespace
   {
-    bool in_suite(Section &section, const std::string &suite)
+    bool in_suite(Section &section, const std::string &suite, const std::string &folder)
     {
       const auto suites = section.texts("suites");
+      bool ever = suites.empty();
       for (const auto &name : suites)
+      {
         if (name != "smoke" && name != "quick" && name != "full")
           section.add_error("suites", "a suite is smoke, quick or full, not " + name);
+        ever |= takes_part(folder, name);
+      }
+      if (!ever)
+        section.add_error("suites",
+                          fmt::format("the case takes part in none of {}: this would never be run",
+                                      fmt::join(suites, ", ")),
+                          "write the scene file of the suite (smoke.toml, quick.toml, scene.toml), "
+                          "or name another suite");
       return suites.empty() || std::find(suites.begin(), suites.end(), suite) != suites.end();
     }
 
@@ -157,6 +167,7 @@ namespace verify
       check_formulas(section, check, c.constants);
       check_csv(section, check, c);
       refuse_what_cannot_fail(section, check, c.constants);
+      hand_coverage_on(check);
       return check;
     }
 
@@ -210,7 +221,7 @@ namespace verify
     {
       for (auto &section : file.sections("run"))
       {
-        const bool here = in_suite(section, c.suite);
+        const bool here = in_suite(section, c.suite, c.folder);
         Run run = read_run(section, c);
         section.refuse_unused();
         if (here && c.find_run(run.name))
@@ -245,7 +256,7 @@ namespace verify
     std::set<std::string> names;
     for (auto &section : file.sections("check"))
     {
-      const bool here = in_suite(section, suite);
+      const bool here = in_suite(section, suite, folder);
       if (!here)
         continue; // its by-suite values need not exist here
       const Check check = read_check(section, c);

@@ -52,6 +52,7 @@ namespace verify
     std::vector<std::string> box;   // none or four expressions: x0 y0 x1 y1
     std::vector<std::string> with_names;
     std::vector<Take> with;
+    double coverage = 0.95; // of a line's samples, to be in material where it is reduced
   };
 
   /// What it is held against.

@@ -164,6 +164,16 @@ namespace verify
     return against;
   }
 
+  void hand_coverage_on(Check &check)
+  {
+    for (Take *take : {&check.take, &check.against.take})
+    {
+      take->coverage = check.coverage.value_or(take->coverage);
+      for (auto &inner : take->with)
+        inner.coverage = take->coverage;
+    }
+  }
+
   void check_norm(Section &section, const std::string &key, const Check &check)
   {
     if (std::find(norms.begin(), norms.end(), check.norm) == norms.end())

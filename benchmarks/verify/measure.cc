@@ -44,6 +44,19 @@ namespace verify
       return found - times.begin();
     }
 
+    /// A line may leave the body, but a mean or a maximum of what little lies in it is that of
+    /// another line. The first and the last are those where material is.
+    void refuse_bare_line(const Curve &line, const Take &take)
+    {
+      const auto within = std::count_if(line.y.begin(), line.y.end(),
+                                        [](const double y) { return !std::isnan(y); });
+      if (take.reduce != "first" && take.reduce != "last" &&
+          static_cast<double>(within) < take.coverage * static_cast<double>(line.y.size()))
+        throw MissingData(fmt::format("short: {} of {} samples of the line lie in material; "
+                                      "wanted {:.0f} %",
+                                      within, line.y.size(), 100. * take.coverage));
+    }
+
     void add_table(const record::Table &table, const std::string &prefix, ColumnData &columns)
     {
       const std::string before = prefix.empty() ? "" : prefix + "_";
@@ -243,7 +256,11 @@ namespace verify
     if (curve.y.empty())
       throw MissingData("no samples in the stretch that is asked for");
     if (!take.reduce.empty())
+    {
+      if (!by_time)
+        refuse_bare_line(curve, take);
       return reduce(curve, take.reduce);
+    }
     if (!by_time || take.at.empty())
       return curve;
     if (take.at == "end")

@@ -69,6 +69,7 @@ namespace verify
       check_formulas(section, check, known);
       check_csv(section, check, c);
       refuse_what_cannot_fail(section, check, c.constants);
+      hand_coverage_on(check);
       accurate.maps = section.texts("maps");
       section.refuse_unused();
       return accurate;

@@ -95,6 +95,7 @@ namespace verify
       check_formulas(section, check, trade.c.constants);
       check_csv(section, check, trade.c);
       refuse_what_cannot_fail(section, check, trade.c.constants);
+      hand_coverage_on(check);
       for (const auto &norm : norms)
       {
         check.norm = norm;

@@ -117,13 +117,15 @@ TEST(Forecast, OfShortRunsFailsTheCampaignInSum)
   const Workspace w;
   const auto campaign = w.run(
       "[[run]]\nname = \"a\"\nsolver = \"mpm_pf\"\nset = [\"fake.predicted=9.5\"]\n"
-      "[[run]]\nname = \"b\"\nsolver = \"mpm_pf\"\nset = [\"fake.predicted=9.5\", \"fake.h=2\"]\n");
+      "[[run]]\nname = \"b\"\nsolver = \"mpm_pf\"\nset = [\"fake.predicted=9.5\", \"fake.h=2\"]\n"
+      "[[check]]\nname = \"c\"\nsource = \"s\"\nreason = \"r\"\ntake = {run = \"a\", number = "
+      "\"largest\"}\nagainst = {number = 1}\nnorm = \"absolute\"\nlimit = 1\n");
   const auto &verdicts = campaign.cases.at(0).verdicts;
-  ASSERT_EQ(verdicts.size(), 3u);
-  EXPECT_EQ(verdicts[0].status, verify::Status::pass);
-  EXPECT_EQ(verdicts[1].status, verify::Status::pass);
-  EXPECT_EQ(verdicts[2].check.name, "forecast, short runs together");
-  EXPECT_EQ(verdicts[2].status, verify::Status::fail);
+  ASSERT_EQ(verdicts.size(), 4u);
+  for (const int judged_alone : {0, 1, 2})
+    EXPECT_EQ(verdicts[judged_alone].status, verify::Status::pass);
+  EXPECT_EQ(verdicts[3].check.name, "forecast, short runs together");
+  EXPECT_EQ(verdicts[3].status, verify::Status::fail);
   EXPECT_EQ(campaign.exit_code, 1);
 }
 

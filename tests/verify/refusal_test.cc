@@ -193,6 +193,12 @@ TEST(Keys, ThatSayNothingAboutATakeAreRefused)
             "");
 }
 
+TEST(Suites, ThatACaseLacksAreNamed)
+{
+  EXPECT_EQ(said_of(of_number(number, "suites = [\"quick\", \"full\"]")), "");
+  expect_said(said_of(of_number(number, "suites = [\"full\"]")), "takes part in none of full");
+}
+
 TEST(Norms, ThatAreMisspeltAreRefusedOfTradesAndMaps)
 {
   const Workspace w;

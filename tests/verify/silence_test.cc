@@ -64,6 +64,39 @@ TEST(TheEnd, OfTwoRunsIsOneTime)
       << "both times are said";
 }
 
+TEST(Reductions, OfALineNeedMaterialAlongIt)
+{
+  const Workspace w;
+  const auto status = [&](const std::string &how, const std::string &rest)
+  {
+    return only(w.run(runs("\"fake.bare=10\"") +
+                      check("line = \"profile\", of = \"u\", reduce = \"" + how + "\"", "\"zero\"",
+                            "absolute") +
+                      rest))
+        .status;
+  };
+  EXPECT_EQ(status("mean", ""), Status::missing);
+  EXPECT_EQ(status("mean", "coverage = 0.5\n"), Status::pass) << "11 of 21";
+  EXPECT_EQ(status("last", ""), Status::pass) << "where material is";
+}
+
+TEST(Campaign, OfACaseOfWhichNothingIsAskedFails)
+{
+  const Workspace w;
+  const Campaign silent = w.run(runs(""));
+  EXPECT_EQ(silent.exit_code, 1);
+  EXPECT_NE(only(silent).why.find("no [[check]] for suite quick"), std::string::npos)
+      << only(silent).why;
+}
+
+TEST(Campaign, WithoutAnyProgramLacksMoreThanItsReference)
+{
+  const Workspace w;
+  for (const char *solver : {"mpm_pf", "fe_reference"})
+    std::filesystem::remove(w.root / "bin" / solver);
+  EXPECT_EQ(w.run(runs("") + check("number = \"largest\"", elements, "relative")).exit_code, 1);
+}
+
 TEST(Campaign, DrawsFieldsThatHaveDiedAway)
 {
   const Workspace w;
