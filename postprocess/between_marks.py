@@ -5,16 +5,20 @@ import subprocess
 import sys
 from pathlib import Path
 
+from written import Unusable, write_whole
+
 
 def write_between_marks(path, name, text):
-    """Replaces what stands between the marks called `name`; ends the program if the file has none."""
+    """Replaces what stands between the marks called `name`; raises Unusable if the file cannot be read or written or does not have them."""
     begin, end = f"<!-- {name}: begin -->", f"<!-- {name}: end -->"
-    if not path.exists():
-        sys.exit(f"{path}: there is no such file")
-    old = path.read_text()
-    if begin not in old or end not in old:
-        sys.exit(f"{path} has no lines {begin} and {end}")
-    path.write_text(re.sub(re.escape(begin) + ".*?" + re.escape(end), lambda _: f"{begin}\n{text}{end}", old, count=1, flags=re.S))
+    try:
+        old = path.read_text(encoding="utf-8")
+    except (OSError, ValueError) as error:
+        raise Unusable(f"{path} cannot be read ({error}); name a text file with the lines {begin} and {end}") from None
+    new, replaced = re.subn(re.escape(begin) + ".*?" + re.escape(end), lambda _: f"{begin}\n{text}{end}", old, count=1, flags=re.S)
+    if not replaced:
+        raise Unusable(f"{path} lacks the lines {begin} and, below it, {end}, between which the table goes; write them into it")
+    write_whole(path, new)
 
 
 def tell_origin(made, present=None):

@@ -12,6 +12,7 @@ import h5py
 import matplotlib.pyplot as plt
 import numpy as np
 
+import recorded_units
 import style  # no window: it chooses matplotlib's drawing engine
 
 FIELDS = ("von_mises", "plastic_strain", "displacement_y")
@@ -43,7 +44,7 @@ def last_common(first, second):
 
 
 def snapshot(path, number):
-    """(positions n x 2, {field: n values}) of one snapshot, or None where it is a grid's."""
+    """(positions n x 2, {field: n values}, number of points or cells) of one snapshot, or None where it is a grid's."""
     with h5py.File(path, "r") as record:
         group = first_series(record)[number]
         kind = group.attrs["kind"]
@@ -53,8 +54,9 @@ def snapshot(path, number):
         vertex = group["vertex"][:]
         fields = {name: group["fields"][name][:] for name in FIELDS if name in group["fields"]}
         if kind == "points":
-            return vertex, fields
-        return inside_cells(vertex, group["connectivity"][:].reshape(-1, 4), fields)
+            return vertex, fields, len(vertex)
+        quads = group["connectivity"][:].reshape(-1, 4)
+        return *inside_cells(vertex, quads, fields), len(quads)
 
 
 def inside_cells(vertex, quads, fields, samples=6):
@@ -74,23 +76,25 @@ def raster(places, values, box, cells):
         return (total / count).T
 
 
-def picture(name, a, b, labels, time):
+def picture(name, a, b, labels, time, units):
     """PNG (base64) of a, b and a - b, and the text below it. None if they share no material."""
     low = np.minimum(a[0].min(axis=0), b[0].min(axis=0))
     high = np.maximum(a[0].max(axis=0), b[0].max(axis=0))
-    # raster cells that hold two points or more of the sparser cloud, else the raster shows the lattice and not the field
-    spacing = np.sqrt((high - low).prod() / min(len(a[0]), len(b[0])))
+    # raster cells that hold two points or more of the sparser cloud, or are larger than the cells of the coarser mesh, whatever samples
+    # those have: else the raster shows the lattice and not the field
+    spacing = np.sqrt((high - low).prod() / min(a[2], b[2]))
     side = max((high - low).max() / RASTER, 1.6 * spacing)
     cells = [max(2, int(round(extent / side))) for extent in high - low]
-    fields = [raster(places, values[name], (low, high), cells) for places, values in (a, b)]
+    fields = [raster(places, values[name], (low, high), cells) for places, values, _ in (a, b)]
     difference = fields[0] - fields[1]
     if not np.isfinite(difference).any():
         return None
     figure, axes = plt.subplots(1, 3, figsize=(10, 1.3 + 3.0 * min(1.6, (high - low)[1] / (high - low)[0])), layout="constrained", sharey=True)
-    quantity = style.NAMES.get(name, name)
+    quantity, unit = style.NAMES.get(name, name), units.after(name)
     extent = (low[0], high[0], low[1], high[1])
     shared = dict(vmin=np.nanmin(fields), vmax=np.nanmax(fields))
-    top = np.nanmax(np.abs(difference)) or 1.0
+    largest = np.nanmax(np.abs(difference))
+    top = largest or 1.0  # a colour bar needs a width
     for axis, field, label in zip(axes, (*fields, difference), (*labels, "difference")):
         colours = dict(cmap=style.MAPS.get(name, "viridis"), **shared) if label != "difference" else dict(cmap="RdBu_r", vmin=-top, vmax=top)
         image = axis.imshow(field, origin="lower", extent=extent, interpolation="nearest", **colours)
@@ -100,15 +104,15 @@ def picture(name, a, b, labels, time):
         bar = figure.colorbar(image, ax=axis, location="bottom", aspect=30)
         bar.ax.tick_params(labelsize=7)
         bar.ax.locator_params(nbins=4)
-        bar.set_label(quantity if label != "difference" else f"{quantity}, difference", fontsize=8)
+        bar.set_label((quantity if label != "difference" else f"{quantity}, difference") + unit, fontsize=8)
         bar.ax.xaxis.get_offset_text().set_size(7)
-        axis.set_xlabel("x", fontsize=8)
-    axes[0].set_ylabel("y", fontsize=8)
+        axis.set_xlabel(f"x ({units.length})", fontsize=8)
+    axes[0].set_ylabel(f"y ({units.length})", fontsize=8)
     stream = io.BytesIO()
     figure.savefig(stream, format="png", dpi=110, bbox_inches="tight", pad_inches=0.05, metadata={"Software": None})
     plt.close(figure)
     rms = np.sqrt(np.nanmean(difference**2))
-    text = f"{name} at t = {time:g}, in the scene's units: {labels[0]}, {labels[1]} and their difference (rms {rms:.3g}, largest {top:.3g}), means over raster cells"
+    text = f"{name} at t = {time:g} {units.time}, {labels[0]}, {labels[1]} and their difference (rms {rms:.3g}, largest {largest:.3g}{unit}), means over raster cells"
     return dict(title=text, png=base64.b64encode(stream.getvalue()).decode())
 
 
@@ -134,6 +138,7 @@ def of_case(folder, case):
     snapshots = [snapshot(path, of_run[time]) for path, of_run, time in zip(paths, times, same)]
     if None in snapshots:
         return []
-    shared = [name for name in FIELDS if all(name in fields for _, fields in snapshots)]
-    maps = [picture(name, *snapshots, [run["name"] for run in runs], same[0]) for name in shared[:2]]
+    shared = [name for name in FIELDS if all(name in fields for _, fields, _ in snapshots)]
+    units = recorded_units.of_record(paths[0])
+    maps = [picture(name, *snapshots, [run["name"] for run in runs], same[0], units) for name in shared[:2]]
     return [entry for entry in maps if entry]

@@ -8,10 +8,8 @@ measured with `accuracy = ...`: nothing is computed here that was not run. An er
 told from none: it stands as `< U`. Where a reference is one run without grids its uncertainty is unknown, and a `?` says so.
 """
 
-import json
-import sys
-
 from between_marks import table_program, tell_origin
+from written import folder_of, program, read_shaped
 
 LEVELS = ["draft", "standard", "fine"]
 
@@ -66,7 +64,8 @@ def lines(trades):
 
 
 def table(folder):
-    trades = [json.loads(path.read_text()) for path in sorted((folder / "tradeoff").glob("*.json"))]
+    files = sorted((folder_of(folder) / "tradeoff").glob("*.json"))
+    trades = [read_shaped(path, "case", "measures", "rows", "reference", "provenance") for path in files]
     trades = [trade for trade in trades if any(level(row) for row in trade["rows"])]
     for made in {trade["provenance"].get("commit"): trade["provenance"] for trade in trades}.values():
         tell_origin(made)
@@ -79,4 +78,4 @@ def main(arguments):
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    program("presets", main)

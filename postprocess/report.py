@@ -18,8 +18,8 @@ import report_extremes
 import report_modules
 import report_trade
 from svgplot import Plot
-from table import unit_of
-from written import Unusable, folder_of, program, read_json
+from table import limit_text, unit_of
+from written import Unusable, folder_of, program, read_json, read_shaped, write_whole
 
 MEANING = {
     0: "all right",
@@ -55,19 +55,24 @@ def short(label, length=58):
     return label if len(label) <= length else label[: length - 1] + "…"
 
 
-def axis_names(label):
-    """What a curve is drawn over, and what it is: from its description, such as 'mpm_pf: line "arm" von_mises over x at t = 1'."""
+def axis_names(label, units=None):
+    """What a curve is drawn over, and what it is: from its description, such as 'mpm_pf: line "arm" von_mises over x at t = 1'; each with
+    its unit where `units` of the record tell it."""
     found = re.search(r'\b(table|line)((?: "[^"]*")+) (.+?)(?: over (.+?))?(?: from .+ to .+?)?(?: at (?:the end|t = .+))?$', label)
     if not found:
         return "abscissa", "value"
-    return found[4] or ("time" if found[1] == "table" else "distance along the line"), short(found[3], 34)
+    table, probes = found[1] == "table", re.findall('"([^"]*)"', found[2])
+    unit = [units.of(probes[0], column) if units else "" for column in (found[4] or ("time" if table else "s"), found[3])]
+    names = found[4] or ("time" if table else "distance along the line"), short(found[3], 34)
+    return tuple(name + (f" ({of_it})" if of_it else "") for name, of_it in zip(names, unit))
 
 
-def overlay(curves):
-    """The picture of one check: what was taken over what it is held against. Empty where both are numbers."""
+def overlay(curves, units=None):
+    """The picture of one check: what was taken over what it is held against, with the units of the record. Empty where both are numbers."""
     taken, reference = curves["taken"], curves["reference"]
     if "outline" in taken:
-        plot = Plot("x", "y", equal=True)
+        length = f" ({units.length})" if units else ""
+        plot = Plot("x" + length, "y" + length, equal=True)
         for part, colour, dash in ((reference, "#2c6fbb", ""), (taken, "#c0392b", "5 3")):
             for k, line in enumerate(part.get("outline", [])):
                 label = short(part["label"]) if k == 0 else ""
@@ -75,7 +80,7 @@ def overlay(curves):
         return plot.svg()
     if "x" not in taken:
         return ""
-    plot = Plot(*axis_names(taken["label"]))
+    plot = Plot(*axis_names(taken["label"], units))
     if "x" in reference:
         plot.line(reference["x"], reference["y"], short(reference["label"]), "#2c6fbb", width=2.6)
     plot.line(taken["x"], taken["y"], short(taken["label"]), "#c0392b", "5 3")
@@ -94,15 +99,33 @@ def order_plot(order):
     return plot.svg()
 
 
+def units_of_runs(folder, case):
+    """{run: units of its record}; nothing of a record that is gone or cannot be read."""
+    try:
+        import recorded_units
+    except ImportError:  # without h5py there are no units, as there are no maps
+        return {}
+    found, stem = {}, "scene" if case.get("suite") == "full" else case.get("suite", "")
+    for run in case["runs"]:
+        try:
+            found[run["name"]] = recorded_units.of_record(folder / case["case"] / stem / f'{run["name"]}.h5')
+        except (OSError, KeyError):
+            pass
+    return found
+
+
 def add_pictures(folder, case):
     """Puts an SVG into each check that has curves, an outline or an order."""
+    units = units_of_runs(folder, case)
     curves = {c["check"]: c for c in read_if_there(folder / case["case"] / "curves.json") or []}
     for check in case["checks"]:
-        check["picture"], check["value_unit"] = "", unit_of(check)
+        check["picture"], check["value_unit"], check["limits"] = "", unit_of(check), limit_text(check)
         if "order" in check:
             check["picture"] = order_plot(check["order"])
         elif check["name"] in curves:
-            check["picture"] = overlay(curves[check["name"]])
+            drawn = curves[check["name"]]
+            run = re.match(r"(?:\w+ of )?([^:]+): ", drawn["taken"]["label"])
+            check["picture"] = overlay(drawn, units.get(run[1]) if run else None)
 
 
 def split_forecasts(case):
@@ -155,7 +178,8 @@ def heading(campaign):
 
 
 def write(folder):
-    campaign = read_if_there(folder / "campaign.json")
+    path = folder / "campaign.json"
+    campaign = read_shaped(path, "suite", "started", "wall_s", "exit_code", "cores", "jobs", "cases", "provenance") if path.is_file() else None
     if campaign is None:  # a trade or a map was measured without a campaign
         campaign = dict(suite="", started="", wall_s=None, exit_code=0, cores=0, jobs=0, cases=[], provenance={})
     for case in campaign["cases"]:
@@ -180,9 +204,7 @@ def write(folder):
         extremes=report_extremes.pages(folder),
         modules=report_modules.page(campaign),
     )
-    target = folder / "index.html"
-    target.with_suffix(".part").write_text(page)
-    target.with_suffix(".part").replace(target)
+    write_whole(folder / "index.html", page)
 
 
 def main(arguments):

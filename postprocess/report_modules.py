@@ -11,7 +11,7 @@ import re
 from html import escape
 
 from between_marks import table_program, tell_origin
-from written import folder_of, program, read_json
+from written import folder_of, program, read_shaped
 
 MARKS = {"met": "✓", "missed": "✗", "not judged": "–"}
 # The whole of a run, and what is counted within another part.
@@ -144,7 +144,7 @@ def markdown(campaign):
 
 def table(folder):
     path = folder_of(folder) / "campaign.json"
-    campaign = read_json(path) if path.is_file() else None
+    campaign = read_shaped(path, "cases") if path.is_file() else None
     lines = list(markdown(campaign)) if campaign else []
     if len(lines) > 2:
         tell_origin(campaign.get("provenance", {}))

@@ -20,10 +20,11 @@ def number(value):
     return "-" if value is None else f"{value:.3g}"
 
 
-def limit_text(limit):
-    if isinstance(limit, list):
-        return f"{number(limit[1])}" if limit[0] == 0 else f"{number(limit[0])} ... {number(limit[1])}"
-    return number(limit)
+def limit_text(check):
+    """One number for a norm that cannot be negative, else both ends of the interval."""
+    low, high = check["limit"]
+    interval = low != 0 or check["norm"] == "value" or "order" in check
+    return f"{number(low)} ... {number(high)}" if interval else number(high)
 
 
 def unit_of(check):
@@ -35,7 +36,7 @@ def unit_of(check):
 def rows(folder):
     verdict = read_json(folder / "verdict.json", folder.parent.glob("*/verdict.json"))
     for check in verdict["checks"]:
-        yield (folder.name, check["name"], number(check["value"]), limit_text(check["limit"]),
+        yield (folder.name, check["name"], number(check["value"]), limit_text(check),
                unit_of(check), check["status"])
 
 

@@ -28,6 +28,25 @@ def read_json(path, others=()):
         raise Unusable(f"{path} cannot be read ({error}); let `verify` write it again") from None
 
 
+def read_shaped(path, *keys, others=()):
+    """The content of a JSON file that must be a table with these keys."""
+    content = read_json(path, others)
+    lacking = [key for key in keys if not isinstance(content, dict) or key not in content]
+    if lacking:
+        raise Unusable(f"{path} has no {', '.join(lacking)}: no file of `verify`, or of another version of it; let `verify` write it again")
+    return content
+
+
+def write_whole(path, text):
+    """Writes a text file, whole or not at all."""
+    part = path.with_name(path.name + ".part")
+    try:
+        part.write_text(text, encoding="utf-8")
+        part.replace(path)
+    except OSError as error:
+        raise Unusable(f"{path} cannot be written ({error.strerror}); choose a folder that can") from None
+
+
 def program(name, main):
     """Ends the process with the exit code of main(arguments), or with 2 and one sentence."""
     try:

@@ -5,6 +5,7 @@ import pathlib
 import tempfile
 import unittest
 
+import recorded_units
 import report
 import report_extremes
 import report_modules
@@ -38,6 +39,22 @@ class Words(unittest.TestCase):
             "something else": ("abscissa", "value"),
         }
         self.assertEqual({label: report.axis_names(label) for label in names}, names)
+
+    def test_axes_have_the_units_of_the_record(self):
+        units = recorded_units.Units(columns={"top": {"force_y": "N/m", "count": "1"}, "arm": {"von_mises": "Pa"}})
+        names = {
+            'mpm_pf: table "top" force_y': ("time (s)", "force_y (N/m)"),
+            'mpm_pf: table "top" count over force_y at the end': ("force_y (N/m)", "count"),
+            'mpm_pf: line "arm" von_mises at t = 1': ("distance along the line (m)", "von_mises (Pa)"),
+            'mpm_pf: line "arm" von_mises/2 over x': ("x (m)", "von_mises/2"),
+        }
+        self.assertEqual({label: report.axis_names(label, units) for label in names}, names)
+        square = {"label": "mpm_pf: outline", "outline": [{"x": [0, 1, 1], "y": [0, 0, 1]}]}
+        self.assertIn("x (m)", report.overlay({"taken": square, "reference": square}, units))
+
+    def test_an_interval_shows_both_its_ends(self):
+        checks = ({"norm": "value", "limit": [0, 5]}, {"norm": "max", "limit": [0, 5]}, {"norm": "max", "limit": [0, 5], "order": {}}, {"norm": "max", "limit": [1, 5]})
+        self.assertEqual([table.limit_text(check) for check in checks], ["0 ... 5", "5", "0 ... 5", "1 ... 5"])
 
     def test_a_relative_value_and_an_order_have_no_unit(self):
         checks = ({"norm": "relative", "unit": "N/m"}, {"norm": "absolute", "unit": "m", "order": {}}, {"norm": "absolute", "unit": "m"}, {"norm": "max"})

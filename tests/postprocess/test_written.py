@@ -8,6 +8,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+from unittest import mock
 
 import error_map
 import numpy as np
@@ -71,6 +72,32 @@ class Programs(Folders):
         self.assertIn("| 0.7 |", page.read_text())
         self.refused(2, "none.md cannot be read", "table.py", self.folder, "--refresh", self.folder / "none.md")
 
+    def test_of_tables_know_a_file_without_marks_and_one_that_is_broken(self):
+        row = {"solver": "mpm_pf", "status": "complete", "cpu_s": 1.0, "peak_rss_bytes": 3e7, "settings": {"accuracy": "draft"}, "errors": {"tip": 0.1}}
+        trade = {"case": "bar", "measures": ["tip"], "rows": [row], "reference": {"uncertainty": {}}, "provenance": {}}
+        self.write("tradeoff/bar.json", trade)
+        begin, end = "<!-- presets: begin -->", "<!-- presets: end -->"
+        for text in (None, "no marks", f"{end}\n{begin}\n"):
+            if text:
+                self.write("page.md", text)
+            code, printed, said = program("presets.py", self.folder, self.folder / "page.md")
+            self.assertEqual((code, printed), (2, ""), said)
+            self.assertIn(begin, said.splitlines()[-1])
+        self.write("page.md", f"{begin}\nold\n{end}\n")
+        self.assertEqual(program("presets.py", self.folder, self.folder / "page.md")[0], 0)
+        self.assertIn("| bar | tip |", (self.folder / "page.md").read_text())
+        self.write("tradeoff/bar.json", json.dumps(trade)[:40])
+        self.refused(2, "bar.json cannot be read", "presets.py", self.folder)
+        self.write("tradeoff/bar.json", {"case": "bar"})
+        self.refused(2, "bar.json has no measures", "presets.py", self.folder)
+
+    def test_of_the_report_know_another_shape_and_a_folder_that_takes_nothing(self):
+        self.write("campaign.json", [1, 2])
+        self.refused(2, "campaign.json has no suite", "report.py", self.folder)
+        (self.folder / "campaign.json").unlink()
+        (self.folder / "index.html.part").mkdir()  # stands in the way, for whom no folder is read-only, too
+        self.refused(2, "index.html cannot be written", "report.py", self.folder)
+
     def test_of_single_pictures_know_what_was_measured(self):
         picture = self.folder / "a.svg"
         self.write("tradeoff/bar.json", {"measures": []})
@@ -101,9 +128,32 @@ class ErrorMaps(Folders):
         self.record("mpm_pf", {0.0: 0.0, 1.0: 5.0, 2.0: 9.0})
         self.record("fe_reference", {0.0: 0.0, 1.0005: 5.0})  # ended early: its last is not that of the other
         (drawn,), said = self.maps()
-        self.assertIn("t = 1,", drawn["title"])
-        self.assertIn("rms 0,", drawn["title"])
+        self.assertIn("t = 1 s,", drawn["title"])
+        self.assertIn("rms 0, largest 0 Pa", drawn["title"])
         self.assertEqual(said, "")
+
+    def test_are_as_coarse_as_the_coarser_mesh(self):
+        # Cell means of x on 4 x 4 cells against points that lie on x itself: 36 samples a cell must not hide how large the cells are.
+        x, y = (a.ravel() for a in np.meshgrid(np.linspace(0, 1, 81), np.linspace(0, 1, 81)))
+        corner = np.arange(25).reshape(5, 5)
+        quads = np.stack([corner[:-1, :-1], corner[:-1, 1:], corner[1:, 1:], corner[1:, :-1]], axis=-1).reshape(-1, 4)
+        vertex = np.stack(np.meshgrid(np.linspace(0, 1, 5), np.linspace(0, 1, 5)), axis=-1).reshape(-1, 2)
+        sizes = []
+        original = error_map.raster
+
+        def seen(places, values, box, cells):
+            sizes.append(cells)
+            return original(places, values, box, cells)
+
+        with synthetic.Invented(self.folder, "bar", "mpm_pf", '[units]\nsystem = "W0-tau0-sigmaY"\n') as out:
+            out.points("fields", 1.0, np.column_stack([x, y]), von_mises=x)
+        with synthetic.Invented(self.folder, "bar", "fe_reference", "") as out:
+            out.cells("fields", 1.0, vertex, quads, von_mises=vertex[quads].mean(axis=1)[:, 0])
+        with mock.patch.object(error_map, "raster", seen):
+            (drawn,), _ = self.maps()
+        self.assertLessEqual(max(max(cells) for cells in sizes), 4)
+        self.assertIn("sigma_Y)", drawn["title"])
+        self.assertIn("t = 1 tau0,", drawn["title"])
 
     def test_are_not_drawn_where_no_time_is_the_same(self):
         self.record("mpm_pf", {0.0: 0.0, 2.0: 9.0})
