@@ -141,7 +141,7 @@ namespace record
   {
     if (!std::filesystem::exists(path))
       throw std::runtime_error("no checkpoint " + path + ": start without --resume");
-    const hdf5::Handle file = hdf5::open_file(path, hdf5::Mode::read);
+    const hdf5::Handle file = hdf5::open_to_resume(path, hdf5::Mode::read);
     if (hdf5::text_attribute(file, "format") != format)
       throw std::runtime_error(path + " is not a checkpoint of this program and this version of "
                                       "it: start without --resume");

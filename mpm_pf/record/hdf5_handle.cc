@@ -69,6 +69,18 @@ namespace record::hdf5
     return Handle(H5Fopen(path.c_str(), flags, access), "cannot open " + path);
   }
 
+  Handle open_to_resume(const std::string &path, const Mode mode)
+  {
+    try
+    {
+      return open_file(path, mode);
+    }
+    catch (const std::runtime_error &error)
+    {
+      throw std::runtime_error(error.what() + std::string("; start without --resume"));
+    }
+  }
+
   std::string cannot_write(const std::string &path, const std::string &why)
   {
     return "cannot write all of " + path + " (is the disk full?): " + why;

@@ -2,9 +2,11 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <stdexcept>
 
 #include "record/checkpoint.h"
+#include "record/lock.h"
 #include "record/write_buffer.h"
 #include "record/xdmf.h"
 #include "scene/value.h"
@@ -81,11 +83,19 @@ namespace record
   struct Writer::File
   {
     std::string path, part;
+    std::optional<Lock>
+        lock; // until the record is finished: it alone makes, changes, renames .part
     WriteBuffer buffer;
     bool finished = false;
     bool broken = false; // a write has failed; HDF5 still holds the file and cannot open it again
 
     explicit File(const std::string &path) : path(path), part(path + ".part") {}
+
+    void take()
+    {
+      lock.emplace(path + ".lock", path,
+                   "wait for its end or stop it, or choose another --output or --record");
+    }
 
     WriteBuffer &open_for(const std::string &name)
     {
@@ -111,9 +121,6 @@ namespace record
                  const bool force)
       : file(std::make_unique<File>(path))
   {
-    if (std::filesystem::exists(path) && !force)
-      throw std::runtime_error(path + " exists: remove it, choose another --output, or give "
-                                      "--force to replace it");
     const auto folder = std::filesystem::path(path).parent_path();
     std::error_code failure;
     if (!folder.empty())
@@ -121,6 +128,10 @@ namespace record
     if (failure)
       throw std::runtime_error("cannot make the folder " + folder.string() + ": " +
                                failure.message());
+    file->take();
+    if (std::filesystem::exists(path) && !force)
+      throw std::runtime_error(path + " exists: remove it, choose another --output, or give "
+                                      "--force to replace it");
     std::filesystem::remove(checkpoint_path(path)); // before: a kill between must not leave both
     file->write(hdf5::open_file(file->part, hdf5::Mode::create),
                 [&](const hid_t open) { write_head(open, provenance, scene); });
@@ -133,9 +144,11 @@ namespace record
     if (!std::filesystem::exists(file->part))
       throw std::runtime_error("no record " + file->part +
                                " to go on with: start without --resume");
-    hdf5::Handle open = hdf5::open_file(file->part, hdf5::Mode::modify);
+    file->take();
+    hdf5::Handle open = hdf5::open_to_resume(file->part, hdf5::Mode::modify);
     if (hdf5::text_attribute(open, "format") != format)
-      throw std::runtime_error(file->part + " is not a record of this program");
+      throw std::runtime_error(file->part +
+                               " is not a record of this program: start without --resume");
     if (hdf5::text_attribute(open, "scene_hash") != scene.hash)
       throw std::runtime_error(file->part + " was made from another scene than " + scene.file +
                                ": start without --resume");
@@ -217,15 +230,22 @@ namespace record
     file->finished = true;
     const std::string xdmf = std::filesystem::path(file->path).replace_extension(".xdmf").string();
     const std::string name = std::filesystem::path(file->path).filename().string();
+    bool drawn = false;
     file->write(
         [&](const hid_t open)
         {
           file->buffer.write(open);
           write_profile(open, profile);
           hdf5::set_attribute(open, "status", status);
-          write_xdmf(open, name, xdmf + ".part");
+          drawn = !hdf5::members(open, "snapshots").empty();
+          if (drawn)
+            write_xdmf(open, name, xdmf + ".part");
         });
     std::filesystem::rename(file->part, file->path);
-    std::filesystem::rename(xdmf + ".part", xdmf);
+    if (drawn)
+      std::filesystem::rename(xdmf + ".part", xdmf);
+    else
+      std::filesystem::remove(xdmf); // that of an earlier record of this name
+    file->lock.reset();
   }
 } // namespace record

@@ -19,9 +19,9 @@
 //   /profile                 part[k], wall_s[k], cpu_s[k], calls[k]; attributes steps, cells,
 //                            points, peak_rss_bytes ...
 //
-// The file is written as <path>.part and renamed by finish(): a crash never leaves a half file
-// under the final name. Rows wait in memory and reach the file in flush(), which opens and closes
-// it: a kill between two flushes leaves a whole .part, which a resumed run goes on with.
+// Written as <path>.part, which nobody else may write (record/lock.h), and renamed by finish(): a
+// crash leaves no half file under the final name. Rows wait in memory and reach the file in
+// flush(), which opens and closes it: a kill in between leaves a whole .part to go on with.
 #pragma once
 
 #include <array>
@@ -85,13 +85,13 @@ namespace record
   {
   public:
     /// Opens <path>.part. An earlier run's checkpoint beside it is removed first, since the new
-    /// record lacks what came before it. Throws std::runtime_error if `path` exists and `force` is
-    /// false, or if it cannot be written.
+    /// record lacks what came before it. Throws std::runtime_error if another process is writing it
+    /// (`force` or not), if `path` exists and `force` is false, or if it cannot be written.
     Writer(const std::string &path, const Provenance &, const scene::Scene &, bool force);
     /// Goes on with the <path>.part of an interrupted run from a checkpoint at `time`: rows,
     /// outlines and snapshots later than that are forgotten, and what is observed again of those
     /// kept is dropped. Call flush() before saving a checkpoint. Throws std::runtime_error if there
-    /// is no such file or it belongs to another scene.
+    /// is no such file, it belongs to another scene, or another process is writing it.
     struct Resume
     {
       double time = 0.;
@@ -116,8 +116,8 @@ namespace record
     /// every snapshot. Throws std::runtime_error naming the file (disk full and the like), and so
     /// do finish() and all that record; <path>.part is broken then and gets no more.
     void flush();
-    /// Writes profile and status, the XDMF file beside it, and renames to the final name. Nothing
-    /// may be recorded after it.
+    /// Writes profile and status, the XDMF file beside it if there is a snapshot, and renames to
+    /// the final name. Nothing may be recorded after it.
     void finish(const Profile &, const std::string &status = "complete");
 
   private:

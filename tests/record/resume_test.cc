@@ -159,6 +159,25 @@ TEST(ResumedRecord, RefusesAnotherSceneOrNoRecord)
             std::string::npos);
 }
 
+TEST(Checkpoint, OrARecordThatIsTruncatedSaysHowToBeginAnew)
+{
+  const Scratch scratch;
+  CheckpointFile checkpoint(scratch / "c.h5", scene_of_hash("1"));
+  checkpoint.put("tiles", std::vector<int>{1});
+  checkpoint.finish();
+  {
+    Writer writer(scratch / "a.h5", {}, scene_of_hash("1"), false);
+  }
+  for (const char *name : {"c.h5", "a.h5.part"})
+    std::filesystem::resize_file(scratch / name, std::filesystem::file_size(scratch / name) / 2);
+  for (const std::string &said :
+       {error_of<std::runtime_error>([&]
+                                     { Checkpoint::load(scratch / "c.h5", scene_of_hash("1")); }),
+        error_of<std::runtime_error>(
+            [&] { Writer(scratch / "a.h5", {}, scene_of_hash("1"), Writer::Resume{0.}); })})
+    EXPECT_NE(said.find("start without --resume"), std::string::npos) << said;
+}
+
 TEST(Checkpoint, GivesEveryTypeBackBitForBit)
 {
   const Scratch scratch;
