@@ -7,6 +7,7 @@
 
 #include "fe_reference/run.h"
 #include "record/outline_source.h"
+#include "record/wait_policy.h"
 #include "scene/reader.h"
 
 namespace
@@ -69,14 +70,16 @@ namespace
 
 int main(int argc, char **argv)
 {
+  const auto parsed =
+      record::parse_command_line(argc, argv, "fe_reference",
+                                 "Quasi-static finite-strain finite elements: the independent "
+                                 "reference for the solid.");
+  if (parsed.command && parsed.command->threads > 1)
+    record::wait_passively(argv); // before MPI, which may be started once only
   MPI_Init(&argc, &argv);
   int number = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &number);
-  const int code = guarded(
-      record::parse_command_line(argc, argv, "fe_reference",
-                                 "Quasi-static finite-strain finite elements: the independent "
-                                 "reference for the solid."),
-      number == 0);
+  const int code = guarded(parsed, number == 0);
   MPI_Finalize();
   return code;
 }

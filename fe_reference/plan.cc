@@ -56,8 +56,8 @@ namespace fe
     double first_end = begin, last_end = begin;
     int first_iterations = 0, last_iterations = 0, steps = 0;
     SteppingOptions options;
-    options.load_steps = most_steps;
-    options.end = most_steps * scene.clock.end / load_steps;
+    options.load_steps = std::min(most_steps, load_steps); // no further than the run goes
+    options.end = options.load_steps * scene.clock.end / load_steps;
     options.observe = [&](const Step &step)
     {
       steps = step.stepping.steps;
@@ -82,6 +82,8 @@ namespace fe
     plan.seconds = first_end + plan.load_steps * each * spent / iterations;
     plan.resident_bytes = record::peak_rss_bytes();
     plan.bytes = memory(problem, system);
+    if (outcome.kind == Outcome::Kind::diverged)
+      plan.trouble = outcome.message;
     return plan;
   }
 

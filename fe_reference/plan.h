@@ -15,10 +15,11 @@ namespace fe
     std::map<std::string, double> bytes; // by what they are for, see memory.h
     double seconds = 0.;                 // of CPU
     double resident_bytes = 0.;          // of one process; 0: not predicted
+    std::string trouble;                 // what stopped its steps: the run will meet it as well
   };
 
   /// Counts the problem and takes its first load steps: what these cost and hold on this machine is
-  /// carried on to the end; every sampling time ends a step.
+  /// carried on to the end; every sampling time ends a step. None goes beyond clock.end.
   Plan make_plan(const Problem &, const scene::Scene &, const std::vector<double> &sampling_times);
 
   /// For people, and one line that programs read: `forecast cpu_s=... solver_bytes=...

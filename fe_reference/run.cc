@@ -169,6 +169,8 @@ namespace fe
     const Plan plan = make_plan(problem, scene, Observer(scene, problem, nullptr).times());
     if (process_number() == 0)
       std::cout << banner(scene) << describe(plan);
+    if (!plan.trouble.empty())
+      throw Stopped("the run will meet trouble: " + plan.trouble);
     return record::all_right;
   }
 

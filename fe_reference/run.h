@@ -14,7 +14,7 @@ namespace fe
     using std::runtime_error::runtime_error;
   };
 
-  /// Print what a run would take and stop.
+  /// Print what a run would take and stop. Throws Stopped if its first steps met trouble.
   int show_plan(const scene::Scene &, int threads);
 
   /// Returns the exit code: all_right, numerical_trouble (the last good state is in the record) or

@@ -24,6 +24,13 @@ namespace
                            { return total + part.second; });
   }
 
+  /// A step no longer than `step`, of which the first try and `most` more stay before the end of
+  /// the clock: what drives the solid need not make sense beyond it.
+  double within_the_run(const World &world, const double step, const int most)
+  {
+    return std::min(step, world.scene->clock.end / (1. + most));
+  }
+
   /// A solid that is there from the start: its own steps, timed.
   void forecast_solid(World &world, Forecast &forecast)
   {
@@ -33,8 +40,9 @@ namespace
     forecast.counts["steps"] = steps;
     const int most = static_cast<int>(std::clamp(steps, 1., double(probe_calls)));
     constexpr double one = 0.95; // as soon as something moves, a whole step would be done in two
+    const double tried = within_the_run(world, one * step, most);
     forecast.seconds["solid"] =
-        steps * seconds_of([&] { solid::advance(*world.solid, one * step); }, probe_budget_s, most);
+        steps * seconds_of([&] { solid::advance(*world.solid, tried); }, probe_budget_s, most);
     forecast.counts["cells"] = static_cast<double>(solid::cells(*world.solid));
   }
 
@@ -47,8 +55,9 @@ namespace
     forecast.counts["coupling steps"] = steps;
     forecast.counts["steps"] = end / solid::stable_step(*world.solid);
     const int most = static_cast<int>(std::clamp(steps, 1., double(probe_calls)));
-    forecast.seconds["solid"] =
-        steps * seconds_of([&] { step(world, step_length); }, probe_budget_s, most);
+    const double tried = within_the_run(world, step_length, most);
+    forecast.seconds["solid"] = world.scene->clock.end / tried *
+                                seconds_of([&] { step(world, tried); }, probe_budget_s, most);
     forecast.counts["cells"] = static_cast<double>(solid::cells(*world.solid));
   }
 

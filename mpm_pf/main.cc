@@ -6,9 +6,11 @@
 #include <filesystem>
 #include <iostream>
 
+#include "medium/numerical_error.h"
 #include "plan.h"
 #include "record/command_line.h"
 #include "record/outline_source.h"
+#include "record/wait_policy.h"
 #include "run.h"
 #include "scene/reader.h"
 
@@ -53,6 +55,8 @@ int main(int argc, char **argv)
     (parsed.exit_code == record::all_right ? std::cout : std::cerr) << parsed.text;
     return parsed.exit_code;
   }
+  if (parsed.command->threads > 1)
+    record::wait_passively(argv);
   try
   {
     return work(*parsed.command);
@@ -61,6 +65,11 @@ int main(int argc, char **argv)
   {
     std::cerr << error.what() << '\n';
     return record::bad_input;
+  }
+  catch (const medium::NumericalError &error) // of a plan, which takes the first steps
+  {
+    std::cerr << "mpm_pf: " << error.what() << "\nrepeat with: " << parsed.command->joined << '\n';
+    return record::numerical_trouble;
   }
   catch (const std::exception &error)
   {

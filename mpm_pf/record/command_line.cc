@@ -34,6 +34,21 @@ namespace record
 
   namespace
   {
+    void add_set(CLI::App &app, CommandLine &command)
+    {
+      app.add_option("--set", command.overrides, "override a key: section.key=value")
+          ->allow_extra_args(false)
+          ->check(CLI::Validator(
+              [](const std::string &setting) -> std::string
+              {
+                const std::size_t equals = setting.find('=');
+                const bool right = equals != std::string::npos && equals > 0;
+                return right ? "" : "section.key=value, not \"" + setting + "\"";
+              },
+              "KEY=VALUE"))
+          ->option_text("KEY=VALUE (again for more)");
+    }
+
     void add_name_and_version(CLI::App &app, CommandLine &command, const std::string &program)
     {
       app.add_option("--record", command.record, "name of the record (default: " + program + ")")
@@ -60,9 +75,7 @@ namespace record
     CLI::App app(description, program);
     std::string explain;
     app.add_option("scene", command.scene, "scene file (TOML)");
-    app.add_option("--set", command.overrides, "override a key: section.key=value")
-        ->allow_extra_args(false)
-        ->option_text("KEY=VALUE (again for more)");
+    add_set(app, command);
     app.add_option("--output", command.output,
                    "directory of the record (default: results/<scene>)");
     add_name_and_version(app, command, program);

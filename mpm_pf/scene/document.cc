@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <map>
 #include <sstream>
 
@@ -25,6 +26,15 @@ namespace scene
 
     Value value_of(const Toml &toml, const std::string &path, ErrorList &errors);
 
+    /// toml11 reads what has no room in a number as the largest one there is.
+    template <class Number>
+    void refuse_overflow(const Value &value, const Number number, ErrorList &errors)
+    {
+      if (number == std::numeric_limits<Number>::max())
+        errors.add(value, "read a number that is too large for a computer's", "a finite number",
+                   "correct its exponent or its digits");
+    }
+
     void fill(Value &value, const Toml &toml, ErrorList &errors)
     {
       const std::string &path = value.place.key;
@@ -38,11 +48,13 @@ namespace scene
         value.kind = Value::Kind::integer;
         value.integer = toml.as_integer();
         value.number = static_cast<double>(value.integer);
+        refuse_overflow(value, toml.as_integer(), errors);
       }
       else if (toml.is_floating())
       {
         value.kind = Value::Kind::number;
         value.number = toml.as_floating();
+        refuse_overflow(value, value.number, errors);
       }
       else if (toml.is_string())
       {

@@ -263,6 +263,19 @@ class Programs(unittest.TestCase):
         self.assertEqual(process.returncode, 3, text)
         self.assertIn("fe_reference.h5.part", text)
 
+    def test_a_plan_in_trouble_ends_with_three(self):
+        # In the first of two steps the ends would be driven through each other.
+        code, text = self.run_to_end(self.command(self.scene(driven=("0", "-9*t"), cells="1, 2", steps=2), "crushed", "--plan"))
+        self.assertEqual(code, 3, text)
+        self.assertIn("no equilibrium beyond t = ", text)
+        self.assertIn("repeat with", text)
+
+    def test_a_plan_stays_within_the_clock(self):
+        # Beyond the end the support has no displacement.
+        code, text = self.run_to_end(self.command(self.scene(driven=("0.001*(1 - sqrt(1 - t))", "0"), steps=1), "plan", "--plan"))
+        self.assertEqual(code, 0, text)
+        self.assertIn("forecast cpu_s=", text)
+
     def test_going_on_needs_a_checkpoint(self):
         code, text = self.run_to_end(self.command(self.scene(), "fresh", "--resume"))
         self.assertEqual(code, 2, text)

@@ -40,3 +40,15 @@ TEST(CommandLine, TakesOneOverrideAfterEachSet)
   EXPECT_EQ(parsed.command->scene, "in.toml");
   EXPECT_EQ(parse({"--help"}).text.find("TEXT ..."), std::string::npos) << "as if it took several";
 }
+
+TEST(CommandLine, RefusesASettingThatNamesNoKey)
+{
+  for (const char *setting : {"", "=1", "accuracy"})
+  {
+    const record::Parsed parsed = parse({"in.toml", "--set", setting});
+    EXPECT_FALSE(parsed.command) << '"' << setting << '"';
+    EXPECT_EQ(parsed.exit_code, record::bad_input);
+    EXPECT_NE(parsed.text.find("section.key=value"), std::string::npos) << parsed.text;
+  }
+  EXPECT_TRUE(parse({"in.toml", "--set", "domain.cells="}).command); // takes the key away
+}

@@ -18,6 +18,7 @@ reaction = "top"
   const std::vector<Broken> mechanics{
       {"negative_density", with(bar, "density = 7800", "density = -1"), "density", "read -1"},
       {"zero_modulus", with(bar, "2e11", "0.0"), "young_modulus", "greater than 0"},
+      {"number_beyond_range", with(bar, "2e11", "1e400"), "young_modulus", "too large"},
       {"poisson_half", with(bar, "0.3", "0.5"), "poisson_ratio", "less than 0.5"},
       {"viscosity_alone", with(bar, "yield_stress = 4e8", "viscosity = 1e5"), "viscosity",
        "yield stress"},

@@ -105,6 +105,52 @@ class Programs(unittest.TestCase):
         self.assertIn("stopped after step", text)
         self.assertIn("repeat with", text)
 
+    def test_a_record_is_written_by_one_program_at_a_time(self):
+        first = subprocess.Popen(self.command("race", 200.0, speed=1e-5), env=ENVIRONMENT, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        while first.poll() is None and not os.path.exists(self.path("race", "mpm_pf.h5.part")):
+            time.sleep(0.01)
+        second = self.command("race", 200.0, "--force", "--set", "solid.young_modulus=2e6", speed=1e-5)
+        code, text = self.run_within(second)
+        self.assertIsNone(first.poll(), "the first run was over before the second began")
+        self.assertEqual(code, 2, text)
+        self.assertIn(f"in use by process {first.pid}", text)
+        first.send_signal(signal.SIGTERM)
+        self.assertEqual(first.wait(timeout=600), 130)
+        with h5py.File(self.path("race", "mpm_pf.h5.part")) as file:
+            self.assertNotIn("2e6", file["provenance"].attrs["command"])
+        self.assertFalse(os.path.exists(self.path("race", "mpm_pf.h5.lock")))
+
+    def test_threads_sleep_at_barriers_unless_the_caller_wants_otherwise(self):
+        for chosen, expected in ((None, b"passive"), ("active", b"active")):
+            environment = {name: value for name, value in ENVIRONMENT.items() if name != "OMP_WAIT_POLICY"} | ({"OMP_WAIT_POLICY": chosen} if chosen else {})
+            command = self.command(f"threads {chosen}", 200.0, "--threads", "2", speed=1e-5)
+            process = subprocess.Popen(command, env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            try:
+                while process.poll() is None and not os.path.exists(self.path(f"threads {chosen}", "mpm_pf.h5.part")):
+                    time.sleep(0.01)
+                with open(f"/proc/{process.pid}/environ", "rb") as file:
+                    found = file.read().split(b"\0")
+                with open(f"/proc/{process.pid}/cmdline", "rb") as file:
+                    self.assertEqual(file.read().decode().split("\0")[:-1], command)
+            finally:
+                process.kill()
+                process.wait()
+            self.assertIn(b"OMP_WAIT_POLICY=" + expected, found)
+
+    def test_a_plan_in_trouble_ends_with_three(self):
+        code, text = self.run_within(self.command("plan", 1.0, "--plan", speed=1e7))
+        self.assertEqual(code, 3, text)
+        self.assertIn("repeat with", text)
+
+    def test_a_plan_stays_within_the_clock(self):
+        # Beyond the end the support has no displacement; the run is shorter than one step of the solid.
+        command = self.command("plan", 1e-3, "--plan", "--set", "probe.energy.every=1e-3", "--set", "probe.fields.every=1e-3", speed=0)
+        with open(self.path("block.toml"), "a") as file:
+            file.write('[[support]]\non = "bottom"\ndisplacement = ["0.001*(1 - sqrt(1 - 1000*t))", "0"]\n')
+        code, text = self.run_within(command)
+        self.assertEqual(code, 0, text)
+        self.assertIn("forecast cpu_s=", text)
+
     def test_a_folder_that_cannot_be_made_is_bad_input(self):
         with open(self.path("taken"), "w") as file:
             file.write("no folder")
