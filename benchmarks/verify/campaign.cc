@@ -38,18 +38,18 @@ namespace verify
       return setting;
     }
 
-    std::vector<std::string> arguments_of(const Run &run, const Case &c, const Paths &paths,
+    std::vector<std::string> arguments_of(const Run &run, const Job &job, const Paths &paths,
                                           const std::string &folder)
     {
       std::vector<std::string> arguments;
       if (run.processes > 1)
         arguments = {"mpirun", "--oversubscribe", "-np", std::to_string(run.processes)};
       arguments.push_back(paths.solver(run.solver));
-      arguments.push_back(c.folder + "/" + run.scene);
-      for (const auto &setting : run.set)
+      arguments.push_back(job.scene);
+      for (const auto &setting : job.set)
       {
         arguments.push_back("--set");
-        arguments.push_back(with_records(setting, run.needs, folder));
+        arguments.push_back(setting);
       }
       for (const auto &argument :
            {std::string("--output"), folder, std::string("--record"), run.name,
@@ -175,7 +175,10 @@ namespace verify
     Job job;
     job.name = c.name + "/" + scene_stem(c.suite) + "/" + run.name;
     job.base = folder + "/" + run.name;
-    job.command.arguments = arguments_of(run, c, paths, folder);
+    job.scene = c.folder + "/" + run.scene;
+    for (const auto &setting : run.set)
+      job.set.push_back(with_records(setting, run.needs, folder));
+    job.command.arguments = arguments_of(run, job, paths, folder);
     job.command.environment = {{"OMP_NUM_THREADS", std::to_string(run.threads)},
                                {"DEAL_II_NUM_THREADS", std::to_string(run.threads)},
                                {"OMPI_ALLOW_RUN_AS_ROOT", "1"},
@@ -214,7 +217,7 @@ namespace verify
   {
     std::vector<Case> cases;
     std::string errors;
-    for (const auto &name : named.empty() ? case_names(paths) : named)
+    for (const auto &name : chosen_cases(named, paths))
     {
       const std::string folder = case_folder(paths, name);
       if (!takes_part(folder, suite))
@@ -256,6 +259,7 @@ namespace verify
     const record::Stopwatch stopwatch;
     for (const auto &c : read_cases(options.cases, options.suite, paths))
       campaign.cases.push_back({c, {}, {}, {}, {}});
+    const record::Lock lock = lock_output(options.output);
     std::vector<Job> all;
     for (auto &result : campaign.cases)
     {

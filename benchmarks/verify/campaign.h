@@ -52,7 +52,8 @@ namespace verify
   std::vector<Job> jobs_of(const Case &, const Paths &, const std::string &output);
 
   /// Runs, judges, writes campaign.json, verdict.json, curves.json and junit.xml. Throws BadInput
-  /// before any work if an expect.toml or accepted.toml is wrong. Accepts nothing: see drift.h.
+  /// before any work if an expect.toml or accepted.toml is wrong, or if another process runs cases
+  /// into the folder. Accepts nothing: see drift.h.
   Campaign run_campaign(const CampaignOptions &, const Paths &);
 
   /// 0 all right, 1 a comparison failed or a run without its program is held against nothing, 2 a

@@ -125,6 +125,18 @@ namespace verify
     return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
   }
 
+  std::string value_unit(const Check &check)
+  {
+    return !check.order_over.empty() || check.norm.rfind("relative", 0) == 0 ? "-" : check.unit;
+  }
+
+  std::string limit_text(const Check &check)
+  {
+    const bool interval = check.low != 0. || check.norm == "value" || !check.order_over.empty();
+    return interval ? fmt::format("{:.4g} .. {:.4g}", check.low, check.high)
+                    : fmt::format("{:.4g}", check.high);
+  }
+
   Json to_json(const Verdict &v, const std::string &repeat)
   {
     Json json{{"name", v.check.name},
@@ -134,6 +146,7 @@ namespace verify
               {"value", number_or_null(v.value)},
               {"limit", {v.check.low, v.check.high}},
               {"unit", v.check.unit},
+              {"value_unit", value_unit(v.check)},
               {"uncertainty", number_or_null(v.uncertainty)},
               {"uncertainty_text", v.uncertainty_text},
               {"status", text(v.status)},
@@ -198,6 +211,20 @@ namespace verify
     if (!v.reference_outline.empty())
       json["reference"]["outline"] = to_json(v.reference_outline);
     return json;
+  }
+
+  record::Lock lock_output(const std::string &folder)
+  {
+    fs::create_directories(folder);
+    try
+    {
+      return record::Lock(folder + "/verify.lock", folder,
+                          "wait for its end or stop it, or choose another --output");
+    }
+    catch (const std::runtime_error &error)
+    {
+      throw BadInput(error.what());
+    }
   }
 
   void write_text(const std::string &path, const std::string &text)

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <optional>
 #include <stdexcept>
 #include <thread>
@@ -13,7 +14,9 @@
 #include "json_text.h"
 #include "progress.h"
 #include "record/atomic_write.h"
+#include "record/checkpoint.h"
 #include "record/command_line.h"
+#include "record_mark.h"
 
 namespace verify
 {
@@ -52,28 +55,31 @@ namespace verify
 
     void write_state(const Job &job, const Outcome &outcome)
     {
-      const Json state{{"hash", job.hash},
-                       {"status", outcome.status},
-                       {"exit_code", outcome.exit_code},
-                       {"wall_s", outcome.wall_s},
-                       {"cpu_s", outcome.cpu_s},
-                       {"peak_rss_bytes", outcome.peak_rss_bytes},
-                       {"time_limit_s", job.command.time_limit_s},
-                       {"last_words", outcome.log_tail},
-                       {"command", shell(job.command.arguments)}};
+      Json state{{"hash", job.hash},
+                 {"status", outcome.status},
+                 {"exit_code", outcome.exit_code},
+                 {"wall_s", outcome.wall_s},
+                 {"cpu_s", outcome.cpu_s},
+                 {"peak_rss_bytes", outcome.peak_rss_bytes},
+                 {"time_limit_s", job.command.time_limit_s},
+                 {"last_words", outcome.log_tail},
+                 {"command", shell(job.command.arguments)}};
+      if (const auto mark = mark_record(job.base + ".h5"); mark && job.makes_record)
+        state["record"] = to_json(*mark);
       record::write_atomically(job.base + ".run.json", json_text(state));
     }
 
-    Json read_state(const Job &job)
+    /// Does the record lie there that this job, as it is now, has left?
+    bool holds_its_record(const Job &job, const Json &state)
     {
-      std::ifstream stream(job.base + ".run.json");
-      return stream ? Json::parse(stream, nullptr, false) : Json();
+      const auto left = mark_in(state), now = mark_record(job.base + ".h5");
+      return left && now && *now == *left && other_scene(*now, job).empty();
     }
 
     /// The outcome of an earlier run of the very same job, if it can be kept.
     std::optional<Outcome> finished_before(const Job &job)
     {
-      const auto state = read_state(job);
+      const auto state = state_beside(job.base);
       if (!state.is_object() || state.value("hash", "") != job.hash)
         return {};
       Outcome outcome;
@@ -87,26 +93,61 @@ namespace verify
       const bool longer = job.command.time_limit_s > state.value("time_limit_s", 0.);
       if (outcome.status == "interrupted" || (outcome.status == "timed out" && longer))
         return {};
-      if (outcome.status == "complete" && job.keep_record && !fs::exists(job.base + ".h5"))
+      if (outcome.status == "complete" && job.keep_record && job.makes_record &&
+          !holds_its_record(job, state))
         return {};
+      if (outcome.status == "failed" && outcome.exit_code == record::all_right)
+        return {}; // without the record of its scene, for which the solver need not be to blame
       return outcome.good() || job.any_exit ? std::optional<Outcome>(outcome) : std::nullopt;
     }
 
-    Outcome finish(const Job &job, const ProcessResult &ended)
+    /// What the earlier starts of a run have cost that its solver can go on with: it was stopped
+    /// and has left a checkpoint of the very same job.
+    std::optional<Outcome> spent_before(const Job &job)
+    {
+      const std::string record = job.base + ".h5";
+      const Json state = state_beside(job.base);
+      if (!job.makes_record || !job.keep_record || !state.is_object() ||
+          state.value("hash", "") != job.hash || !fs::exists(record + ".part") ||
+          !fs::exists(record::checkpoint_path(record)))
+        return {};
+      Outcome spent;
+      spent.status = state.value("status", "");
+      spent.wall_s = state.value("wall_s", 0.);
+      spent.cpu_s = state.value("cpu_s", 0.);
+      spent.peak_rss_bytes = state.value("peak_rss_bytes", 0.);
+      const bool stopped = spent.status == "timed out" || spent.status == "interrupted";
+      return stopped ? std::optional<Outcome>(spent) : std::nullopt;
+    }
+
+    Command resuming(Command command)
+    {
+      std::replace(command.arguments.begin(), command.arguments.end(), std::string("--force"),
+                   std::string("--resume"));
+      return command;
+    }
+
+    Outcome finish(const Job &job, const ProcessResult &ended, const Outcome &spent)
     {
       Outcome outcome;
       outcome.exit_code = ended.exit_code;
       outcome.status = status_of(job, ended);
-      outcome.wall_s = ended.wall_s;
-      outcome.cpu_s = ended.cpu_s;
-      outcome.peak_rss_bytes = ended.peak_rss_bytes;
+      outcome.wall_s = ended.wall_s + spent.wall_s;
+      outcome.cpu_s = ended.cpu_s + spent.cpu_s;
+      outcome.peak_rss_bytes = std::max(ended.peak_rss_bytes, spent.peak_rss_bytes);
       if (outcome.status == "complete" && job.makes_record && !fs::exists(job.base + ".h5"))
         outcome.status = "failed"; // exit code 0 without a record is a lie
+      std::string doubt;
+      if (outcome.status == "complete" && job.makes_record)
+        if (const auto mark = mark_record(job.base + ".h5"))
+          doubt = other_scene(*mark, job);
+      if (!doubt.empty())
+        outcome.status = "failed";
       if (!job.keep_record)
         for (const char *extension : {".h5", ".xdmf"})
           fs::remove(job.base + extension);
       if (!outcome.good())
-        outcome.log_tail = log_tail(job.command.log);
+        outcome.log_tail = doubt + log_tail(job.command.log);
       if (ended.timed_out && outcome.status == "diverged")
         outcome.log_tail =
             fmt::format("it met trouble, and its time limit of {:g} s ended it on the way back to "
@@ -123,6 +164,7 @@ namespace verify
       const std::vector<Job> &jobs;
       const JobOptions &options;
       std::vector<std::optional<Outcome>> outcomes;
+      std::map<std::size_t, Outcome> spent = {}; // by earlier starts of those that go on
       std::vector<std::pair<std::size_t, Process>> running;
       std::vector<std::size_t> waiting;
       Progress progress;
@@ -156,8 +198,10 @@ namespace verify
           return;
         }
         fs::create_directories(fs::path(job.base).parent_path());
+        const auto before = options.fresh ? std::nullopt : spent_before(job);
+        spent[i] = before.value_or(Outcome{});
         fs::remove(job.base + ".run.json");
-        running.emplace_back(i, Process(job.command));
+        running.emplace_back(i, Process(before ? resuming(job.command) : job.command));
       }
 
       void collect()
@@ -169,7 +213,7 @@ namespace verify
             process.interrupt();
           if (const auto ended = process.poll())
           {
-            outcomes[i] = finish(jobs[i], *ended);
+            outcomes[i] = finish(jobs[i], *ended, spent[i]);
             progress.done(jobs[i].name, outcomes[i]->status, outcomes[i]->wall_s);
             running.erase(running.begin() + static_cast<long>(r));
           }
@@ -188,7 +232,7 @@ namespace verify
         if (!queue.outcomes[i])
         {
           queue.waiting.push_back(i);
-          const auto earlier = read_state(queue.jobs[i]);
+          const auto earlier = state_beside(queue.jobs[i].base);
           queue.progress.add_run(earlier.is_object() ? earlier.value("wall_s", 0.) : 0.);
         }
       }
@@ -197,8 +241,13 @@ namespace verify
 
   std::vector<Outcome> run_jobs(const std::vector<Job> &jobs, const JobOptions &options)
   {
-    Queue queue{jobs, options, std::vector<std::optional<Outcome>>(jobs.size()),
-                {},   {},      Progress(options.cores)};
+    Queue queue{jobs,
+                options,
+                std::vector<std::optional<Outcome>>(jobs.size()),
+                {},
+                {},
+                {},
+                Progress(options.cores)};
     reuse_finished(queue);
     while ((!queue.waiting.empty() && !interrupted()) || !queue.running.empty())
     {

@@ -11,8 +11,10 @@ namespace verify
 {
   struct Job
   {
-    std::string name; // for people: case/suite/run
-    std::string base; // path of record, log and state without extension
+    std::string name;             // for people: case/suite/run
+    std::string base;             // path of record, log and state without extension
+    std::string scene;            // its file
+    std::vector<std::string> set; // overrides of it, as on the command line
     Command command;
     int cores = 1;
     int expect_exit = 0;

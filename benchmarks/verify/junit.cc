@@ -47,7 +47,7 @@ namespace verify
           escaped(c.name), escaped(v.check.name));
       text += property("value", v.value) + property("low", v.check.low) +
               property("high", v.check.high) + property("uncertainty", v.uncertainty) +
-              property("unit", v.check.unit) + property("norm", v.check.norm) +
+              property("unit", value_unit(v.check)) + property("norm", v.check.norm) +
               property("accepted", v.drift.accepted) + property("source", v.check.source);
       text += "      </properties>\n";
       if (v.status == Status::no_reference)

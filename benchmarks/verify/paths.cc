@@ -73,6 +73,15 @@ namespace verify
     return names;
   }
 
+  std::vector<std::string> chosen_cases(const std::vector<std::string> &named, const Paths &paths)
+  {
+    std::vector<std::string> chosen;
+    for (const auto &name : named)
+      if (std::find(chosen.begin(), chosen.end(), name) == chosen.end())
+        chosen.push_back(name);
+    return named.empty() ? case_names(paths) : chosen;
+  }
+
   std::string case_folder(const Paths &paths, const std::string &name)
   {
     const auto names = case_names(paths);

@@ -26,6 +26,8 @@ namespace verify
 
   /// Names of all cases (folders with an expect.toml), sorted.
   std::vector<std::string> case_names(const Paths &);
+  /// Those that were named, each once in the order of its first mention; all if none was.
+  std::vector<std::string> chosen_cases(const std::vector<std::string> &named, const Paths &);
   /// Folder of one case. Throws BadInput with the nearest names if there is none.
   std::string case_folder(const Paths &, const std::string &name);
 

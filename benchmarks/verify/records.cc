@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "record_mark.h"
+
 namespace verify
 {
   Records::Records(std::string f, std::map<std::string, std::string> u)
@@ -18,17 +20,20 @@ namespace verify
   {
     if (const auto why = unusable.find(run); why != unusable.end())
       throw MissingData(fmt::format("run `{}`: {}", run, why->second));
-    auto &reader = readers[run];
-    if (!reader)
-      try
-      {
-        reader = std::make_unique<record::Reader>(path(run));
-      }
-      catch (const std::runtime_error &error)
-      {
-        readers.erase(run);
-        throw MissingData(fmt::format("run `{}`: {}", run, error.what()));
-      }
-    return *reader;
+    const auto known = readers.find(run);
+    if (known != readers.end())
+      return *known->second;
+    if (const std::string why = replaced_record(folder + "/" + run); !why.empty())
+      throw MissingData(fmt::format("run `{}`: {}", run, why));
+    try
+    {
+      return *(readers[run] = std::make_unique<record::Reader>(path(run)));
+    }
+    catch (const std::runtime_error &error)
+    {
+      readers.erase(run);
+      throw MissingData(
+          fmt::format("run `{}`: {}; --fresh repeats finished runs", run, error.what()));
+    }
   }
 } // namespace verify

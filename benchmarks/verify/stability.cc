@@ -103,8 +103,9 @@ namespace verify
 
   int stability(const Paths &paths, const CampaignOptions &options)
   {
+    const record::Lock lock = lock_output(options.output);
     int cells = 0, bad_maps = 0;
-    for (const auto &name : options.cases.empty() ? case_names(paths) : options.cases)
+    for (const auto &name : chosen_cases(options.cases, paths))
     {
       const std::string folder = case_folder(paths, name);
       if (!fs::exists(folder + "/stability.toml"))

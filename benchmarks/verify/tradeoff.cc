@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -214,7 +215,17 @@ namespace verify
         if (std::any_of(rows.begin(), rows.end(),
                         [&](const Json &row) { return row["errors"][measure].is_number(); }))
           continue;
-        fmt::print("no row has an error in `{}`\n", measure);
+        fmt::print("no row has an error in `{}`:\n", measure);
+        std::set<std::string> causes; // each once: most rows miss the same
+        for (const auto &row : rows)
+          for (const std::string why : row["why"])
+            causes.insert(why);
+        for (const auto &row : rows)
+          if (row["why"].empty())
+            causes.insert(fmt::format("{}: {}", row["family"].get<std::string>(),
+                                      row["status"].get<std::string>()));
+        for (const auto &cause : causes)
+          fmt::print("  {}\n", cause);
         code = std::max(code, 1);
       }
       return code;
@@ -226,6 +237,7 @@ namespace verify
     const std::string folder = case_folder(paths, name);
     const Trade trade =
         fs::exists(folder + "/tradeoff.toml") ? read_trade(folder) : default_trade(folder);
+    const record::Lock lock = lock_output(options.output);
     const std::string runs = options.output + "/tradeoff/runs";
     auto jobs = jobs_of(trade.c, paths, runs);
     for (auto &job : jobs)

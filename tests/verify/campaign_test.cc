@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "campaign_files.h"
 #include "section.h"
 #include "workspace.h"
 
@@ -266,4 +267,21 @@ TEST(Campaign, WritesVerdictsThatOthersCanRead)
   EXPECT_FALSE(verdict.at("runs").at(1).contains("inertia"));
   EXPECT_NE(w.read("results/junit.xml").find("property name=\"value\" value=\"0.1"),
             std::string::npos);
+}
+
+TEST(Campaign, HasItsFolderToItself)
+{
+  const Workspace w;
+  const record::Lock other = lock_output((w.root / "results").string());
+  try
+  {
+    w.run(two_runs);
+    FAIL() << "two campaigns in one folder";
+  }
+  catch (const BadInput &error)
+  {
+    EXPECT_NE(std::string(error.what()).find("in use by process " + std::to_string(getpid())),
+              std::string::npos);
+  }
+  EXPECT_FALSE(std::filesystem::exists(w.root / "results" / "bar")) << "a run was started";
 }

@@ -1,6 +1,7 @@
 // A solver that computes nothing: it takes the options of the real ones and writes a record with
-// known contents, so that the campaign program can be tested without them. What it does is told by
-// --set fake.<key>=<number>:
+// known contents, so that the campaign program can be tested without them; the hash in it is that
+// of its scene, where that is one, or of the scene that the environment names as FAKE_SCENE. What
+// it does is told by --set fake.<key>=<number>:
 //
 //   error, order, h   every quantity is off by error*h^order
 //   exit              this exit code instead of a record
@@ -17,6 +18,9 @@
 //   growth            the energy grows by this factor per unit of time
 //   hole              exit code 2 if the growth is this
 //   bytes             1: its trouble is told in bytes that are no UTF-8
+//   checkpoint        1: told to stop while it sleeps it leaves a checkpoint and ends with 130,
+//   from
+//                     which --resume goes on at once
 //   troubled          1: it has met trouble before it waits, and ends with 3 when told to stop
 #include <chrono>
 #include <cmath>
@@ -29,9 +33,11 @@
 #include <string>
 #include <thread>
 
+#include "record/checkpoint.h"
 #include "record/command_line.h"
 #include "record/provenance.h"
 #include "record/writer.h"
+#include "scene/reader.h"
 
 namespace
 {
@@ -43,11 +49,23 @@ namespace
         {"error", 0.},      {"order", 2.},    {"h", 1.},     {"exit", 0.},     {"sleep", 0.},
         {"burn", 0.},       {"short", 1.},    {"nan", 0.},   {"growth", 0.},   {"predicted", 0.},
         {"hole", -1.},      {"skew", 0.},     {"bytes", 0.}, {"troubled", 0.}, {"wall_travel", -1.},
-        {"wall_speed", 0.}, {"recorded", 1.}, {"end", 1.},   {"bare", 0.}};
+        {"wall_speed", 0.}, {"recorded", 1.}, {"end", 1.},   {"bare", 0.},     {"checkpoint", 0.}};
     for (const auto &text : command.overrides)
       if (const auto equal = text.find('='); text.rfind("fake.", 0) == 0 && equal + 1 < text.size())
         settings[text.substr(5, equal - 5)] = std::strtod(text.c_str() + equal + 1, nullptr);
     return settings;
+  }
+
+  std::string hash_of(const std::string &file)
+  {
+    try
+    {
+      return scene::read_scene(file).hash;
+    }
+    catch (const scene::BadScene &)
+    {
+      return "";
+    }
   }
 
   void burn(const double seconds)
@@ -125,7 +143,15 @@ int main(int argc, char **argv)
     std::fflush(stdout);
     std::signal(SIGTERM, [](int) { std::_Exit(3); });
   }
-  std::this_thread::sleep_for(std::chrono::duration<double>(s.at("sleep")));
+  if (s.at("checkpoint") > 0. && !command.resume)
+  {
+    std::filesystem::create_directories(command.output);
+    std::fclose(std::fopen((command.record_path() + ".part").c_str(), "w"));
+    std::fclose(std::fopen(record::checkpoint_path(command.record_path()).c_str(), "w"));
+    std::signal(SIGTERM, [](int) { std::_Exit(record::interrupted); });
+  }
+  if (s.at("checkpoint") == 0. || !command.resume)
+    std::this_thread::sleep_for(std::chrono::duration<double>(s.at("sleep")));
   burn(s.at("burn"));
   if (s.at("growth") == s.at("hole"))
     return 2;
@@ -137,6 +163,8 @@ int main(int argc, char **argv)
   std::filesystem::create_directories(command.output);
   scene::Scene scene;
   scene.file = command.scene;
+  const char *other = std::getenv("FAKE_SCENE");
+  scene.hash = hash_of(other ? other : command.scene);
   scene.text = "title = \"fake\"\n[clock]\nend = " + std::to_string(s.at("end")) + "\n";
   if (s.at("wall_travel") >= 0.)
     scene.text += "[[wall]]\nside = \"top\"\ntravel = " + std::to_string(s.at("wall_travel")) +
