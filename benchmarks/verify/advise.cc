@@ -160,7 +160,8 @@ namespace verify
     const Json trade = stream ? Json::parse(stream, nullptr, false) : Json();
     if (!trade.is_object())
     {
-      fmt::print(stderr, "{} is missing: measure first, with\n  {} tradeoff {} --output {}\n", file,
+      fmt::print(stderr, "{} {}, with\n  {} tradeoff {} --output {}\n", file,
+                 stream ? "cannot be read: measure again" : "is missing: measure first",
                  paths.program, name, output);
       return record::reference_missing;
     }

@@ -2,10 +2,13 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <set>
+#include <sstream>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "campaign_files.h"
 #include "drift.h"
 #include "section.h"
 
@@ -16,6 +19,18 @@ namespace verify
   {
     const char *const suites[] = {"smoke", "quick", "full"};
 
+    /// A run that went wrong: its last words are in most cases the reason.
+    void print_trouble(const std::string &name, const Job &job, const Outcome &outcome)
+    {
+      fmt::print("  run {}: {} (exit code {})\n", name, outcome.status, outcome.exit_code);
+      std::istringstream words(outcome.log_tail);
+      for (std::string line; std::getline(words, line);)
+        fmt::print("    | {}\n", line);
+      if (fs::exists(job.command.log))
+        fmt::print("    log: {}\n", job.command.log);
+      fmt::print("    repeat with: {}\n", shell(job.command.arguments));
+    }
+
     void print_case(const CaseResult &result)
     {
       fmt::print("\n{} ({})\n", result.c.name, result.c.title);
@@ -23,18 +38,15 @@ namespace verify
       {
         const auto &outcome = result.outcomes[i];
         if (!outcome.good())
-          fmt::print("  run {}: {} (exit code {})\n    repeat with: {}\n", result.c.runs[i].name,
-                     outcome.status, outcome.exit_code, shell(result.jobs[i].command.arguments));
+          print_trouble(result.c.runs[i].name, result.jobs[i], outcome);
       }
       for (const auto &v : result.verdicts)
       {
         const std::string value = v.value ? fmt::format("{:.4g}", *v.value) : "-";
         const std::string error = v.uncertainty ? fmt::format(" +- {:.2g}", *v.uncertainty) : "";
-        const std::string limit = v.check.low == 0.
-                                      ? fmt::format("{:.4g}", v.check.high)
-                                      : fmt::format("{:.4g} .. {:.4g}", v.check.low, v.check.high);
+        const std::string unit = value_unit(v.check);
         fmt::print("  {:12} {:60} {:>10}{} of {} {}\n", text(v.status), v.check.name, value, error,
-                   limit, v.check.unit == "-" ? "" : v.check.unit);
+                   limit_text(v.check), unit == "-" ? "" : unit);
         if (v.status != Status::pass)
           fmt::print("{:15}{}\n", "", v.why);
         if (v.drift.drifted)
@@ -75,6 +87,23 @@ namespace verify
           "\n{} checks passed, {} failed, {} drifted ({} of all are forecasts); {:.1f} s wall, "
           "{:.1f} s CPU; exit code {}\n",
           passed, failed, drifted, forecasts, campaign.wall_s, cpu, campaign.exit_code);
+    }
+
+    /// Cases that an earlier campaign has judged in the folder: they are in no sum of this one.
+    void print_left_over(const Campaign &campaign)
+    {
+      const std::string &output = campaign.options.output;
+      std::set<std::string> names;
+      for (const auto &entry : fs::directory_iterator(output))
+        if (fs::exists(entry.path() / "verdict.json"))
+          names.insert(entry.path().filename().string());
+      for (const auto &result : campaign.cases)
+        names.erase(result.c.name);
+      if (!names.empty())
+        fmt::print("{0} holds verdicts of earlier campaigns as well, of {1}: campaign.json and the "
+                   "report have this one's only; `verify run --suite {2} --output {0}` judges all "
+                   "cases again and repeats no finished run\n",
+                   output, fmt::join(names, ", "), campaign.options.suite);
     }
   } // namespace
 
@@ -135,7 +164,7 @@ namespace verify
             "\ncheck {}\n  take     {}\n  against  {}\n  norm     {}, within [{:.6g}, {:.6g}] "
             "{}\n  source   {}\n  reason   {}\n",
             check.name, describe(check.take), describe(check.against), check.norm, check.low,
-            check.high, check.unit, check.source, check.reason);
+            check.high, value_unit(check), check.source, check.reason);
     }
   } // namespace
 
@@ -157,6 +186,7 @@ namespace verify
     for (const auto &result : campaign.cases)
       print_case(result);
     print_sum(campaign, paths);
+    print_left_over(campaign);
     report(paths, options.output);
     if (options.accept && !interrupted()) // last: whatever becomes of it, the verdicts are written
       accept(campaign);
@@ -201,7 +231,7 @@ namespace verify
 
   int figures(const Paths &paths, const std::string &folder)
   {
-    const int code = run_python(paths, "figures.py", {folder});
+    const int code = run_python(paths, "figures.py", {folder, "--cases", paths.cases});
     return code == 0 || code == 1 || code == 4 ? code : 2; // what figures.py documents
   }
 } // namespace verify

@@ -62,7 +62,10 @@ namespace verify
     {
       std::string result = "\"";
       for (const char c : text)
-        result += (c == '"' || c == '\\') ? std::string("\\") + c : std::string(1, c);
+        if (const auto code = static_cast<unsigned char>(c); code < 32 || code == 127)
+          result += fmt::format("\\u{:04x}", code); // a line's end would end the key
+        else
+          result += (c == '"' || c == '\\') ? std::string("\\") + c : std::string(1, c);
       return result + "\"";
     }
   } // namespace

@@ -11,6 +11,7 @@
 #include "cannot_fail.h"
 #include "expect_formulas.h"
 #include "expect_take.h"
+#include "run_ranges.h"
 #include "section.h"
 
 namespace verify
@@ -105,6 +106,7 @@ namespace verify
       if (run.solver != "mpm_pf" && run.solver != "fe_reference")
         section.add_error("solver", "the solver is \"mpm_pf\" or \"fe_reference\"");
       run.name = section.text("name", run.solver);
+      check_run_name(section, run.name);
       run.scene = section.text("scene", c.scene);
       if (!run.scene.empty() && !fs::exists(fs::path(c.folder) / run.scene))
         section.add_error("scene", fmt::format("there is no {} in the case folder", run.scene));
@@ -112,9 +114,9 @@ namespace verify
       run.needs = section.texts("needs");
       run.h = section.number("h");
       check_mesh_size(section, run);
-      run.threads = static_cast<int>(section.number("threads").value_or(1));
-      run.processes = static_cast<int>(section.number("processes").value_or(1));
-      run.time_limit_s = section.number("time_limit_s").value_or(default_time_limit(c.suite));
+      run.threads = count_of(section, "threads");
+      run.processes = count_of(section, "processes");
+      run.time_limit_s = time_limit_of(section, default_time_limit(c.suite));
       run.expect_exit = static_cast<int>(section.number("expect_exit").value_or(0));
       run.expect_output = section.text("expect_output");
       check_output_pattern(section, run.expect_output);

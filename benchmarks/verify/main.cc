@@ -109,7 +109,7 @@ namespace
   int trade_all(const Paths &paths, const CampaignOptions &options)
   {
     int worst = 0;
-    for (const auto &name : options.cases.empty() ? case_names(paths) : options.cases)
+    for (const auto &name : chosen_cases(options.cases, paths))
       try
       {
         const int code = tradeoff(paths, name, options);

@@ -8,6 +8,7 @@
 #include "cannot_fail.h"
 #include "expect_formulas.h"
 #include "expect_take.h"
+#include "run_ranges.h"
 #include "section.h"
 
 namespace verify
@@ -127,7 +128,7 @@ namespace verify
         section.add_error("", "a map needs its axis `x`");
       map.bisections = static_cast<int>(section.number("bisections").value_or(0));
       read_theory(section, map);
-      map.time_limit_s = section.number("time_limit_s").value_or(60.);
+      map.time_limit_s = time_limit_of(section, 60.);
       return map;
     }
   } // namespace

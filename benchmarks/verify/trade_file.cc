@@ -10,6 +10,7 @@
 #include "expect_formulas.h"
 #include "expect_take.h"
 #include "judge.h"
+#include "run_ranges.h"
 #include "section.h"
 
 namespace verify
@@ -27,7 +28,7 @@ namespace verify
         section.add_error("solver", "the solver is \"mpm_pf\" or \"fe_reference\"");
       run.scene = section.text("scene", c.scene);
       run.set = section.texts("set");
-      run.time_limit_s = section.number("time_limit_s").value_or(time_limit_s);
+      run.time_limit_s = time_limit_of(section, time_limit_s);
       run.threads = static_cast<int>(section.number("threads").value_or(1));
       if (!fs::exists(fs::path(c.folder) / run.scene))
         section.add_error("scene", fmt::format("there is no {} in the case folder", run.scene));
@@ -171,7 +172,7 @@ namespace verify
     trade.c.name = fs::path(folder).filename().string();
     trade.c.suite = file.text("suite", "quick");
     trade.c.scene = file.text("scene", scene_file(trade.c.suite));
-    const double time_limit_s = file.number("time_limit_s").value_or(60.);
+    const double time_limit_s = time_limit_of(file, 60.);
     read_constants(file, trade.c.constants);
     read_references(file, trade, time_limit_s);
     for (auto &section : file.sections("quantity"))
