@@ -25,10 +25,10 @@ namespace
   }
 
   /// A step no longer than `step`, of which the first try and `most` more stay before the end of
-  /// the clock: what drives the solid need not make sense beyond it.
+  /// the run: what drives the solid need not make sense beyond it.
   double within_the_run(const World &world, const double step, const int most)
   {
-    return std::min(step, world.scene->clock.end / (1. + most));
+    return std::min(step, expected_end(world) / (1. + most));
   }
 
   /// A solid that is there from the start: its own steps, timed.
@@ -56,8 +56,8 @@ namespace
     forecast.counts["steps"] = end / solid::stable_step(*world.solid);
     const int most = static_cast<int>(std::clamp(steps, 1., double(probe_calls)));
     const double tried = within_the_run(world, step_length, most);
-    forecast.seconds["solid"] = world.scene->clock.end / tried *
-                                seconds_of([&] { step(world, tried); }, probe_budget_s, most);
+    forecast.seconds["solid"] =
+        end / tried * seconds_of([&] { step(world, tried); }, probe_budget_s, most);
     forecast.counts["cells"] = static_cast<double>(solid::cells(*world.solid));
   }
 
