@@ -289,14 +289,4 @@ namespace verify
     write_campaign(campaign, paths);
     return campaign;
   }
-
-  std::string repeat_case(const Paths &paths, const Case &c, const std::string &output)
-  {
-    std::vector<std::string> words = {paths.program};
-    words.insert(words.end(), paths.asked.begin(), paths.asked.end());
-    for (const auto &word : {std::string("run"), c.name, std::string("--suite"), c.suite,
-                             std::string("--output"), output})
-      words.push_back(word);
-    return shell(words);
-  }
 } // namespace verify

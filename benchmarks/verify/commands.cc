@@ -180,6 +180,16 @@ namespace verify
     return 0;
   }
 
+  std::string repeat_case(const Paths &paths, const Case &c, const std::string &output)
+  {
+    std::vector<std::string> words = {paths.program};
+    words.insert(words.end(), paths.asked.begin(), paths.asked.end());
+    for (const auto &word : {std::string("run"), c.name, std::string("--suite"), c.suite,
+                             std::string("--output"), output})
+      words.push_back(word);
+    return shell(words);
+  }
+
   int run(const Paths &paths, const CampaignOptions &options)
   {
     const Campaign campaign = run_campaign(options, paths);

@@ -4,6 +4,7 @@
 
 #include "campaign_files.h"
 #include "commands.h"
+#include "drift.h"
 #include "section.h"
 #include "workspace.h"
 
@@ -111,9 +112,7 @@ TEST(Accepting, ACheckWithALinesEndInItsNameCanBeReadAgain)
   const Workspace w;
   const std::string expect = lone_run + check("two\\nlines\\t\\u0007");
   w.write("cases/bar/expect.toml", "title = \"bar\"\n" + expect);
-  auto options = w.options();
-  options.accept = true;
-  run_campaign(options, w.paths());
+  accept(run_campaign(w.options(), w.paths()));
   const auto campaign = w.run(expect);
   EXPECT_TRUE(campaign.cases[0].verdicts[0].drift.accepted);
 }
