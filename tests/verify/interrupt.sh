@@ -17,6 +17,14 @@ name = "long"
 solver = "mpm_pf"
 needs = ["short"]
 set = ["fake.sleep=3"]
+[[check]]
+name = "exact"
+take = {run = "short", number = "largest"}
+against = {number = 1}
+norm = "absolute"
+limit = 0
+source = "fake_solver.cc"
+reason = "a case of which nothing is asked does not pass"
 END
 campaign=("$verify" --cases "$folder/cases" --solvers "$folder/bin" run --suite quick --output "$folder/out")
 
