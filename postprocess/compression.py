@@ -64,6 +64,14 @@ def scale_bar(axes, run, side="left"):
     panels.scale_bar(axes, run.scene["phase_field"]["width"], "$W_0$", side, 0.12)
 
 
+def between_nodes(snapshot, field, x, y):
+    """Mean of a nodal field over the nodes next to (x, y), regular positions; at the middle of a cell its four corners."""
+    at = [(positions - nodes[0]) / (nodes[1] - nodes[0]) for positions, nodes in ((x, snapshot.x), (y, snapshot.y))]
+    (left, right), (low, high) = ([np.clip(round_(a).astype(int), 0, len(n) - 1) for round_ in (np.floor, np.ceil)] for a, n in zip(at, (snapshot.x, snapshot.y)))
+    values = snapshot.fields[field]
+    return 0.25 * sum(values[np.ix_(j, i)] for j in (low, high) for i in (left, right))
+
+
 def image_of(run, field, time):
     """(x, y, values) of a field on a regular grid, whole even where a quarter was computed.
 
@@ -74,13 +82,12 @@ def image_of(run, field, time):
     if snapshot.kind == "points":
         lower, spacing, shape = panels.background_mesh(run)
         means = panels.point_means(snapshot.vertex, snapshot.fields[field], lower, spacing, shape)
-        phi = nearest_snapshot(run, "phi", time, "grid").fields["phi"]
-        inside = 0.25 * (phi[1:, 1:] + phi[:-1, 1:] + phi[1:, :-1] + phi[:-1, :-1]) > 0
+        x = lower[0] + spacing[0] * (np.arange(shape[1]) + 0.5)
+        y = lower[1] + spacing[1] * (np.arange(shape[0]) + 0.5)
+        inside = between_nodes(nearest_snapshot(run, "phi", time, "grid"), "phi", x, y) > 0
         values = np.where(inside & np.isnan(means), panels.filled_once(means), means)  # cells that no point happens to be in
         if field == "von_mises":
             values = values / (run.scene["solid"].get("yield_stress") or 1.0)
-        x = lower[0] + spacing[0] * (np.arange(shape[1]) + 0.5)
-        y = lower[1] + spacing[1] * (np.arange(shape[0]) + 0.5)
     else:
         x, y, values = snapshot.x, snapshot.y, snapshot.fields[field]
         if field == "crystal_angle":
