@@ -10,17 +10,7 @@ namespace
 {
   std::string error_of(const std::string &expect)
   {
-    const Workspace w;
-    w.write("cases/bar/expect.toml", expect);
-    try
-    {
-      read_case(w.folder(), "quick");
-    }
-    catch (const BadInput &error)
-    {
-      return error.what();
-    }
-    return "";
+    return Workspace().said_of(expect);
   }
   const std::string head = "title = \"t\"\n[[run]]\nsolver = \"mpm_pf\"\n";
   const std::string check = "[[check]]\nname = \"c\"\nsource = \"s\"\nreason = \"r\"\n";

@@ -19,24 +19,9 @@ namespace
       "[[run]]\nname = \"c\"\nsolver = \"mpm_pf\"\nh = 4\n"
       "[[run]]\nname = \"d\"\nsolver = \"mpm_pf\"\nh = 4\n";
 
-  /// What is said of the file when the quick suite is read; "" if nothing.
-  std::string said_of(const Workspace &w, const std::string &expect)
-  {
-    w.write("cases/bar/expect.toml", expect);
-    try
-    {
-      read_case(w.folder(), "quick");
-    }
-    catch (const BadInput &error)
-    {
-      return error.what();
-    }
-    return "";
-  }
-
   std::string said_of(const std::string &expect)
   {
-    return said_of(Workspace(), expect);
+    return Workspace().said_of(expect);
   }
 
   std::string check(const std::string &keys)
@@ -73,9 +58,8 @@ TEST(ReferenceTables, AreExaminedBeforeAnythingRuns)
   const auto told = [&](const std::string &table)
   {
     w.write("cases/bar/r.csv", table);
-    return said_of(w,
-                   check("take = {run = \"mpm_pf\", table = \"t\", of = \"u\"}\nagainst = {csv = "
-                         "\"r.csv\", of = \"u\"}\nnorm = \"max\"\nlimit = 1"));
+    return w.said_of(check("take = {run = \"mpm_pf\", table = \"t\", of = \"u\"}\nagainst = {csv = "
+                           "\"r.csv\", of = \"u\"}\nnorm = \"max\"\nlimit = 1"));
   };
   EXPECT_EQ(told("# exact\ntime,u\n0,1e-310\n"), "");
   EXPECT_EQ(told("\xEF\xBB\xBFtime,u\n0,1\n"), "") << "a byte order mark";

@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "campaign.h"
+#include "section.h"
 
 /// Removed with all its contents when it goes out of scope.
 struct Workspace
@@ -42,6 +43,21 @@ struct Workspace
     return text.str();
   }
   std::string folder() const { return (root / "cases" / "bar").string(); }
+
+  /// What is said of this expect.toml as the quick suite reads it; "" if nothing.
+  std::string said_of(const std::string &expect) const
+  {
+    write("cases/bar/expect.toml", expect);
+    try
+    {
+      verify::read_case(folder(), "quick");
+    }
+    catch (const verify::BadInput &error)
+    {
+      return error.what();
+    }
+    return "";
+  }
 
   verify::Paths paths() const
   {
