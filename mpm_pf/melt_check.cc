@@ -36,9 +36,11 @@ namespace
   {
     using medium::Tiles;
     const double *const f = checked.field.row(j);
+    if (!tiles)
+      return within(f, nodes, checked.bound);
     for (int i = 0; i < nodes; i += Tiles::width)
     {
-      if (tiles && tiles->at(i / Tiles::width, j / Tiles::height) == medium::Activity::frozen)
+      if (tiles->at(i / Tiles::width, j / Tiles::height) == medium::Activity::frozen)
         continue;
       if (!within(f + i, std::min(Tiles::width, nodes - i), checked.bound))
         return false;
