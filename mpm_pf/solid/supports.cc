@@ -89,14 +89,14 @@ namespace solid
         const Fold &fold = supports.folds.lines[l];
         const Point v = velocity_of(&supports.all[line.support], step);
         std::fill(line.touched.begin(), line.touched.end(), 0);
-        for_nodes_along(line, grid, fold.carrier(), line.reach,
-                        [&](const int i, const int j, const std::ptrdiff_t n)
-                        {
-                          const std::size_t k = line.index(i, j);
-                          const bool sticks = !line.stuck.empty() && line.stuck[k];
-                          line.touched[k] = touches(line, fold, grid, {i, j, n, v, sticks});
-                        });
-        if (step.count_reaction && !line.stuck.empty())
+        for_nodes_along(
+            line, grid, fold.carrier(), line.reach,
+            [&](const int i, const int j, const std::ptrdiff_t n)
+            {
+              const std::size_t k = line.index(i, j);
+              line.touched[k] = touches(line, fold, grid, {i, j, n, v, line.stuck[k] != 0});
+            });
+        if (step.count_reaction)
           line.stuck = line.touched;
       }
     }

@@ -51,7 +51,7 @@ namespace solid
     bool contact = false;                   // a wall: holds only what touches it, see walls.h
     // Of a wall, node by node along it and `margin` beyond:
     std::vector<std::uint8_t> touched; // does it hold now?
-    std::vector<std::uint8_t> stuck;   // did it in the last step, if it grips
+    std::vector<std::uint8_t> stuck;   // did it in the last step
     static constexpr int margin = 8;
     double position = 0., lower = 0., upper = 0.; // position and extent now
     std::size_t index(const int i, const int j) const { return (axis == 0 ? j : i) + margin; }
