@@ -141,8 +141,11 @@ namespace
 
   void let_walls_end(const World &world, const Arms &arms, GrowthLoad &load)
   {
-    for (const scene::Wall &wall : world.scene->walls)
+    if (!world.walls)
+      return;
+    for (const medium::Wall &one : world.walls->walls)
     {
+      const scene::Wall &wall = one.asked;
       if (wall.speed <= 0.)
         continue;
       const double room = arms.room[static_cast<std::size_t>(wall.side)];
@@ -153,9 +156,10 @@ namespace
       const double gap = wall.start_time ? std::max(0., room - arms.seed - arms.speed * start)
                                          : *wall.start_distance;
       const double meet =
-          start + 0.5 * wall.ramp + time_to_meet(world, arms.speed, wall.speed, gap);
+          start + 0.5 * wall.ramp.value_or(0.) + time_to_meet(world, arms.speed, wall.speed, gap);
       load.pressed_from = std::min(load.pressed_from, meet);
-      load.end = std::min(load.end, start + 0.5 * wall.ramp + wall.travel / wall.speed);
+      load.end =
+          std::min(load.end, start + 0.5 * wall.ramp.value_or(0.) + wall.travel / wall.speed);
     }
     load.pressed_from = std::min(load.pressed_from, load.end);
   }

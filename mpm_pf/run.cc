@@ -16,7 +16,7 @@
 #include "observe.h"
 #include "plan.h"
 #include "quadrature.h"
-#include "ramp_warnings.h"
+#include "ramps.h"
 #include "record/checkpoint.h"
 #include "record/progress.h"
 #include "record/run_cost.h"

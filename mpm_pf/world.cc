@@ -7,6 +7,7 @@
 
 #include "capacity.h"
 #include "medium/sums.h"
+#include "ramps.h"
 #include "scene/interface_distance.h"
 #include "scene/value.h"
 
@@ -158,6 +159,8 @@ World build_world(const scene::Scene &scene, const int threads, const bool force
     world.solid = solid::make_solid(scene, threads);
   if (!scene.walls.empty())
     world.walls = std::make_unique<medium::Walls>(medium::make_walls(scene.walls, *world.mesh));
+  if (world.walls && world.solid)
+    choose_wall_ramps(world);
   if (scene.imposed || (scene.solid && scene.phase_field))
     build_motion(world, distance);
   if (scene.solid && scene.phase_field)
@@ -190,7 +193,7 @@ namespace
       return now + (asked.travel - wall.travel) / asked.speed;
     if (!asked.start_time)
       return end;
-    const double ramps = 0.5 * (asked.ramp + asked.contact_ramp.value_or(0.));
+    const double ramps = 0.5 * (asked.ramp.value_or(0.) + asked.contact_ramp.value_or(0.));
     return *asked.start_time + ramps + asked.travel / asked.speed;
   }
 } // namespace

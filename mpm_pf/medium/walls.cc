@@ -35,12 +35,13 @@ namespace medium
     {
       const scene::Wall &asked = wall.asked;
       double free = 0.;
-      if (wall.touched && asked.contact_ramp && (wall.started || !asked.start_time))
+      const double contact_ramp = asked.contact_ramp.value_or(0.);
+      if (wall.touched && contact_ramp > 0. && (wall.started || !asked.start_time))
         free = wall.travel_at_touch +
-               free_travel(asked.speed, *asked.contact_ramp,
+               free_travel(asked.speed, contact_ramp,
                            time - std::max(*wall.touched, wall.started.value_or(*wall.touched)));
       else if (wall.started)
-        free = free_travel(asked.speed, asked.ramp, time - *wall.started);
+        free = free_travel(asked.speed, asked.ramp.value_or(0.), time - *wall.started);
       return std::min(free, asked.travel);
     }
 

@@ -22,11 +22,12 @@ namespace scene
                "Time at which it starts, instead.", "absent: start_distance says when")
           .add("ramp", &Wall::ramp, not_negative(Dimension::time),
                "Time over which the speed rises smoothly.",
-               "none; at least 10 elastic transits keep waves small")
-          .add("contact_ramp", &Wall::contact_ramp, positive(Dimension::time),
-               "At first contact the wall stops and its speed rises once more, over this time.",
-               "absent: it goes on, and the contact is a blow of rho c V that no ramp before it "
-               "softens")
+               "absent: 10 transits of an elastic wave through the solid before it, which keep "
+               "waves small; none with a start_time or without a solid")
+          .add("contact_ramp", &Wall::contact_ramp, not_negative(Dimension::time),
+               "At first contact the wall stops and its speed rises once more, over this time; 0: "
+               "it goes on, and the contact is a blow of rho c V that no ramp before it softens.",
+               "absent: 10 transits as well; 0 with a start_time or without a solid")
           .add("grip", &Wall::grip, any(),
                "grip: what touches it sticks, also when pulled away; slip: it slides along and "
                "lets go.",

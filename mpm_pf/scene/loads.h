@@ -51,9 +51,11 @@ namespace scene
     // Gap to phi = 0 at which it starts; a scene that was read always has this (8 W0 where nothing
     // is written) or `start_time`.
     std::optional<double> start_distance;
-    std::optional<double> start_time;   // or the time at which it starts
-    double ramp = 0.;                   // time over which the speed rises smoothly
-    std::optional<double> contact_ramp; // once more, from rest, from the first contact on
+    std::optional<double> start_time; // or the time at which it starts
+    // Time over which the speed rises smoothly, and does so once more, from rest, from the first
+    // contact on (0: it does not stop there). Absent: the program's choice.
+    std::optional<double> ramp;
+    std::optional<double> contact_ramp;
     WallGrip grip = WallGrip::grip;
     SourceLocation place;
   };

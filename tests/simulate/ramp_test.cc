@@ -1,5 +1,5 @@
 // A load that sets in within a few transits of an elastic wave is told, and only where waves tell.
-#include "ramp_warnings.h"
+#include "ramps.h"
 
 #include <string>
 
@@ -70,6 +70,37 @@ TEST(WallRamp, IsNotAskedForWhereItDoesNotMatter)
 {
   EXPECT_EQ(said_of_wall("speed = 0.1\nramp = 3.0\n"), "");
   EXPECT_EQ(said_of_wall("speed = 0.002\n"), ""); // rho c V: 0.007 % of strain
+}
+
+// 100 W0 of crystal below the mirror or up to the middle, c = reference speed/Mach = 0.1/1e-3.
+TEST(WallRamp, OfAWallThatWaitsForAFrontIsTenTransits)
+{
+  const auto wall_of = [](const std::string &wall, const std::string &bottom)
+  {
+    const Folder folder;
+    const auto scene = scene_of(
+        folder, "title = \"t\"\n[units]\nsystem = \"W0-tau0-sigmaY\"\n[domain]\nsize = [40.0, "
+                "100.0]\ncells = [40, 100]\nboundary = { left = \"no_flux\", right = \"no_flux\", "
+                "bottom = \"" +
+                    bottom +
+                    "\", top = \"no_flux\" }\n[[body]]\nshape = \"disc\"\ncentre = [20.0, "
+                    "50.0]\nradius = 8.0\n[phase_field]\nwidth = 1.0\n[growth]\n"
+                    "capillary_length = 0.185\n[heat]\ndiffusivity = 3.0\nundercooling = 0.55\n"
+                    "[solid]\nyoung_modulus = 1e4\npoisson_ratio = 0.3\ndensity = 1.0\n[mpm]\nmach "
+                    "= 1e-3\n[[wall]]\nside = \"top\"\nspeed = 0.1\ntravel = 4.0\n" +
+                    wall + "[clock]\nend = 1.0\n");
+    return build_world(scene, 1).walls->walls[0].asked;
+  };
+  const auto mirrored = wall_of("", "symmetry"), whole = wall_of("", "no_flux");
+  EXPECT_NEAR(*mirrored.ramp, 10., 1e-9);
+  EXPECT_NEAR(*mirrored.contact_ramp, 10., 1e-9);
+  EXPECT_NEAR(*whole.ramp, 5., 1e-9);
+  EXPECT_NEAR(*whole.contact_ramp, 5., 1e-9);
+  const auto told = wall_of("ramp = 3.0\ncontact_ramp = 0.0\n", "no_flux");
+  EXPECT_EQ(*told.ramp, 3.);
+  EXPECT_EQ(*told.contact_ramp, 0.);
+  const auto timed = wall_of("start_time = 0.5\n", "no_flux");
+  EXPECT_FALSE(timed.ramp || timed.contact_ramp);
 }
 
 // A wave takes 0.02 across the body.

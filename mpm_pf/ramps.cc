@@ -1,4 +1,4 @@
-#include "ramp_warnings.h"
+#include "ramps.h"
 
 #include <algorithm>
 #include <cmath>
@@ -56,9 +56,10 @@ namespace
   /// How long it speeds up from the contact on; 0 for one that arrives at its full speed.
   double ramp_in_contact(const medium::Wall &wall)
   {
-    if (wall.asked.contact_ramp)
+    if (wall.asked.contact_ramp.value_or(0.) > 0.)
       return *wall.asked.contact_ramp;
-    return std::max(0., wall.started.value_or(*wall.touched) + wall.asked.ramp - *wall.touched);
+    const double ramp = wall.asked.ramp.value_or(0.);
+    return std::max(0., wall.started.value_or(*wall.touched) + ramp - *wall.touched);
   }
 
   /// Speeds of a support, the largest among the corners of the bodies, at even times.
@@ -89,6 +90,19 @@ namespace
            (region->upper.array() >= box.upper.array()).all();
   }
 } // namespace
+
+void choose_wall_ramps(World &world)
+{
+  const double wave_speed = solid::density_scaling(*world.solid).wave_speed;
+  for (medium::Wall &wall : world.walls->walls)
+  {
+    if (wall.asked.start_time)
+      continue;
+    const double chosen = enough * arm(world, wall) / wave_speed;
+    wall.asked.ramp = wall.asked.ramp.value_or(chosen);
+    wall.asked.contact_ramp = wall.asked.contact_ramp.value_or(chosen);
+  }
+}
 
 std::string warning_on_wall_ramps(const World &world)
 {

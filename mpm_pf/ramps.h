@@ -6,6 +6,10 @@
 
 #include "world.h"
 
+/// Gives walls that wait for a front ten transits through the arm before it, and as many from the
+/// contact on, where the scene does not say how they come up to speed. World: with solid and walls.
+void choose_wall_ramps(World &);
+
 /// A sentence for each wall that has touched the solid and was brought to its speed, from its
 /// contact on, in fewer than ten transits through the arm before it. Empty if there is none, and
 /// where an impact at that speed, rho c V, is below a hundredth of what the material bears.
