@@ -38,7 +38,7 @@ namespace verify
       {
         return std::tie(t.kind, t.run, t.probes, t.of, t.abscissa, t.reduce, t.at, t.nth, t.between,
                         t.along_abscissa, t.side, t.x, t.y, t.mirror, t.rotate, t.shift, t.box,
-                        t.with_names);
+                        t.bin, t.with_names);
       };
       return words(a) == words(b) && a.with.size() == b.with.size() &&
              std::equal(a.with.begin(), a.with.end(), b.with.begin(), same);

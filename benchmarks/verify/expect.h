@@ -46,10 +46,11 @@ namespace verify
     std::vector<std::string> between; // none or two expressions
     bool along_abscissa = false;      // `between` is of the abscissa, not of time
     std::string side, x, y;           // of an outline's side position, extreme
-    std::string mirror;               // x, y: an outline's image in the line x = 0 or y = 0, first
-    std::string rotate;             // degrees by which an outline is turned about the origin, then
+    std::string mirror; // x, y: image of an outline (first) or raster in the line x = 0, y = 0
+    std::string rotate; // degrees by which an outline is turned about the origin, then
     std::vector<std::string> shift; // none or two expressions: what an outline is moved by, last
     std::vector<std::string> box;   // none or four expressions: x0 y0 x1 y1
+    std::string bin;                // side of the squares over which a snapshot is averaged
     std::vector<std::string> with_names;
     std::vector<Take> with;
     double coverage = 0.95; // of a line's samples, to be in material where it is reduced

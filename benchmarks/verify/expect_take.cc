@@ -140,6 +140,7 @@ namespace verify
       take.shift = section.expressions("shift");
     if (section.has("box"))
       take.box = section.expressions("box");
+    take.bin = section.expression("bin").value_or(take.bin);
     if (makes_value)
       read_with(section, take);
     if (base)
@@ -188,8 +189,15 @@ namespace verify
       section.add_error(key, of_outlines ? "this norm compares outlines"
                                          : "outlines need symmetric_difference, hausdorff or "
                                            "rms_distance");
-    if (gives_curve(check.take) && (check.norm == "relative" || check.norm == "absolute"))
-      section.add_error(key, "this norm compares numbers and the take is a curve",
+    const bool of_rasters = check.take.kind == Take::Kind::snapshot && !check.take.bin.empty();
+    if (of_rasters && check.norm.find("l2") != std::string::npos)
+      section.add_error(key, "this norm integrates over a curve and the take is a raster",
+                        "say max, rms or mean");
+    if ((of_rasters || gives_curve(check.take)) &&
+        (check.norm == "relative" || check.norm == "absolute"))
+      section.add_error(key,
+                        of_rasters ? "this norm compares numbers and the take is a raster"
+                                   : "this norm compares numbers and the take is a curve",
                         "take it with `at` or `reduce`, or say max, rms, l2 or mean");
     if ((check.norm == "value") != (check.against.kind == Against::Kind::nothing))
       section.add_error(key, "`value` stands without `against`, every other norm with it");

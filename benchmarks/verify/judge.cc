@@ -30,13 +30,20 @@ namespace verify
 
   namespace
   {
+    double usual_coverage(const Take::Kind kind)
+    {
+      if (kind == Take::Kind::snapshot) // squares at an edge are filled by one and not the other
+        return 0.9;
+      return kind == Take::Kind::line ? 0.95 : 0.99;
+    }
+
     Norm norm_of(const Check &check, const Case &c)
     {
       Norm norm;
       norm.name = check.norm;
       if (!check.scale.empty())
         norm.scale = evaluate(check.scale, c.constants);
-      norm.coverage = check.coverage.value_or(check.take.kind == Take::Kind::line ? 0.95 : 0.99);
+      norm.coverage = check.coverage.value_or(usual_coverage(check.take.kind));
       return norm;
     }
 
@@ -47,6 +54,13 @@ namespace verify
       {
         Curve reference = *curve;
         reference.y = evaluate(text, constants, {{"x", curve->x}, {"t", curve->t}});
+        return reference;
+      }
+      if (const auto *raster = std::get_if<Raster>(&taken))
+      {
+        Raster reference = *raster;
+        for (auto &[index, mean] : reference.mean)
+          mean = evaluate(text, constants);
         return reference;
       }
       if (std::holds_alternative<Outline>(taken))
@@ -237,6 +251,8 @@ namespace verify
       text += " over " + take.abscissa;
     if (!take.between.empty())
       text += fmt::format(" from {} to {}", take.between[0], take.between[1]);
+    if (!take.bin.empty())
+      text += " over squares of " + take.bin;
     if (take.mirror == "x" || take.mirror == "y")
       text += " mirrored in " + take.mirror;
     if (!take.rotate.empty())

@@ -8,6 +8,7 @@
 #include "curve.h"
 #include "history_end.h"
 #include "outline_measure.h"
+#include "raster.h"
 #include "section.h"
 
 namespace verify
@@ -134,26 +135,6 @@ namespace verify
       return extreme(outline, take.side)[take.of == "extreme_x" ? 0 : 1]; // read_take knows no more
     }
 
-    std::vector<scene::Point> places(const record::Snapshot &snapshot)
-    {
-      std::vector<scene::Point> result;
-      if (snapshot.kind == record::Snapshot::Kind::points)
-        return snapshot.vertex;
-      if (snapshot.kind == record::Snapshot::Kind::grid)
-        for (int j = 0; j < snapshot.nodes[1]; ++j)
-          for (int i = 0; i < snapshot.nodes[0]; ++i)
-            result.push_back(snapshot.origin + snapshot.spacing.cwiseProduct(scene::Point(i, j)));
-      else
-        for (std::size_t c = 0; c + 3 < snapshot.connectivity.size(); c += 4)
-        {
-          scene::Point centre = scene::Point::Zero();
-          for (std::size_t v = 0; v < 4; ++v)
-            centre += 0.25 * snapshot.vertex.at(snapshot.connectivity[c + v]);
-          result.push_back(centre);
-        }
-      return result;
-    }
-
     bool inside(const std::vector<double> &box, const scene::Point &p)
     {
       return box.empty() || (p[0] >= box[0] && p[1] >= box[1] && p[0] <= box[2] && p[1] <= box[3]);
@@ -189,6 +170,8 @@ namespace verify
       for (const double value : samples.y)
         if (!std::isfinite(value))
           throw MissingData(fmt::format("`{}` is {} somewhere in the snapshot", take.of, value));
+      if (!take.bin.empty())
+        return rasterised(snapshot, samples.y, evaluate(take.bin, constants), take.mirror);
       return reduce(samples, take.reduce);
     }
 

@@ -7,6 +7,7 @@
 
 #include "curve.h"
 #include "outline_measure.h"
+#include "raster.h"
 
 namespace verify
 {
@@ -64,6 +65,19 @@ namespace verify
       return curve_distance(name, common_samples(zero, reference, 0.));
     }
 
+    double raster_distance(const Norm &norm, const Raster &a, const Raster &b)
+    {
+      return curve_distance(norm.name, common_squares(a, b, norm.coverage));
+    }
+
+    double raster_size(const Raster &raster)
+    {
+      double size = 0.;
+      for (const auto &[index, mean] : raster.mean)
+        size = std::max(size, std::abs(mean));
+      return size;
+    }
+
     double outline_distance(const std::string &name, const Outline &a, const Outline &b)
     {
       if (name == "hausdorff")
@@ -83,6 +97,8 @@ namespace verify
         return std::abs(*number - std::get<double>(b));
       if (const auto *curve = std::get_if<Curve>(&a))
         return curve_distance(norm.name, common_samples(*curve, std::get<Curve>(b), norm.coverage));
+      if (const auto *raster = std::get_if<Raster>(&a))
+        return raster_distance(norm, *raster, std::get<Raster>(b));
       return outline_distance(norm.name, std::get<Outline>(a), std::get<Outline>(b));
     }
 
@@ -92,6 +108,8 @@ namespace verify
         return std::abs(*number);
       if (const auto *curve = std::get_if<Curve>(&reference))
         return curve_size(norm.name, *curve);
+      if (const auto *raster = std::get_if<Raster>(&reference))
+        return raster_size(*raster);
       return area(std::get<Outline>(reference));
     }
   } // namespace

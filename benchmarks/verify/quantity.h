@@ -1,6 +1,8 @@
-// What a take gives: a number, a curve or outlines; and how it says that it cannot.
+// What a take gives: a number, a curve, outlines or a raster; and how it says that it cannot.
 #pragma once
 
+#include <array>
+#include <map>
 #include <stdexcept>
 #include <variant>
 #include <vector>
@@ -28,5 +30,10 @@ namespace verify
     std::vector<double> x, y, t;
   };
   using Outline = std::vector<scene::Polyline>;
-  using Quantity = std::variant<double, Curve, Outline>;
+  /// Means over squares; the square (i, j) of side b covers [i b, (i + 1) b] x [j b, (j + 1) b].
+  struct Raster
+  {
+    std::map<std::array<int, 2>, double> mean;
+  };
+  using Quantity = std::variant<double, Curve, Outline, Raster>;
 } // namespace verify

@@ -29,10 +29,11 @@ namespace verify
         {"side", {Kind::outline}},
         {"x", {Kind::outline}},
         {"y", {Kind::outline}},
-        {"mirror", {Kind::outline}},
+        {"mirror", {Kind::outline, Kind::snapshot}},
         {"rotate", {Kind::outline}},
         {"shift", {Kind::outline}},
         {"box", {Kind::snapshot}},
+        {"bin", {Kind::snapshot}},
         {"with", {Kind::value}}};
 
     std::string with_article(const Kind kind)
@@ -66,6 +67,13 @@ namespace verify
       return take.of == "extreme_x" || take.of == "extreme_y";
     }
 
+    void check_mirror(Section &section, const Take &take)
+    {
+      if (!take.mirror.empty() && take.mirror != "x" && take.mirror != "y" && take.mirror != "none")
+        section.add_error("mirror", fmt::format("no such mirror: `{}`", take.mirror),
+                          "\"x\" (x -> -x), \"y\" (y -> -y) or \"none\"");
+    }
+
     void check_outline(Section &section, const Take &take)
     {
       const bool level = take.side == "left" || take.side == "right";
@@ -89,17 +97,18 @@ namespace verify
         if (section.has(key) && of != "side")
           section.add_error(key, fmt::format("`{}` says nothing about of = \"{}\"", key, of),
                             "only of = \"side\" is asked for at an x or a y");
-      if (!take.mirror.empty() && take.mirror != "x" && take.mirror != "y" && take.mirror != "none")
-        section.add_error("mirror", fmt::format("no such mirror: `{}`", take.mirror),
-                          "\"x\" (x -> -x), \"y\" (y -> -y) or \"none\"");
       if (section.has("shift") && take.shift.size() != 2)
         section.add_error("shift", "`shift` is [x, y]", "give both numbers");
     }
 
     void check_snapshot(Section &section, const Take &take)
     {
-      if (take.reduce.empty())
-        section.add_error("", "a snapshot needs `reduce`: max, min, mean, ...");
+      if (take.reduce.empty() == take.bin.empty())
+        section.add_error("", "a snapshot needs `reduce` (max, min, mean, ...: a number) or `bin` "
+                              "(the side of squares: a field), and not both");
+      if (section.has("mirror") && take.bin.empty())
+        section.add_error("mirror", "`mirror` says nothing about a number",
+                          "only a snapshot with `bin` and an outline have one");
       for (const char *along : {"slope", "integral", "ripple"})
         if (take.reduce == along)
           section.add_error("reduce",
@@ -130,6 +139,7 @@ namespace verify
     if (take.of.empty() &&
         (take.kind == Kind::table || take.kind == Kind::line || take.kind == Kind::snapshot))
       section.add_error("", "the take does not say which quantity: `of` is missing");
+    check_mirror(section, take);
     if (take.kind == Kind::outline)
       check_outline(section, take);
     if (take.kind == Kind::snapshot)
