@@ -136,7 +136,8 @@ namespace verify
       const Verdict verdict = judge(check, c, records);
       if (verdict.status == Status::pass && cell.kind == "accurate")
         cell.why += fmt::format("{} {:.3g}; ", check.name, *verdict.value);
-      else if (verdict.status == Status::fail || verdict.status == Status::missing)
+      // A fault that was found stays one; a reference that is not there judges nothing.
+      else if (verdict.status != Status::pass && cell.kind != "bounded but wrong")
       {
         cell.kind = verdict.status == Status::fail ? "bounded but wrong" : "not judged";
         cell.why = check.name + ": " + verdict.why;

@@ -153,6 +153,25 @@ TEST(Stability, WantsATheoryForTheBoundsOfAnEdge)
   EXPECT_THROW(mapped(w, map + "theory = 1.0\nedge = 0.9\n"), BadInput);
 }
 
+// Nothing to compare with is no pass, and a fault that was found outlives what cannot be judged.
+TEST(Stability, CallsNothingAccurateThatLacksItsReference)
+{
+  const auto kind = [](const std::string &error, const std::string &more)
+  {
+    const Workspace w;
+    mapped(w, judged + "[[map]]\nname = \"m\"\nx = {key = \"fake.error\", values = [" + error +
+                  "]}\n[[accurate]]\nnorm = \"absolute\"\nlimit = 0.1\n" + more);
+    return maps_of(w)[0]["cells"][0]["class"].get<std::string>();
+  };
+  const std::string table = "take = {number = \"largest\"}\n"
+                            "against = {csv = \"gone.csv\", of = \"a\", at = 0}\n",
+                    column = "take = {number = \"gone\"}\nagainst = {number = 1}\n";
+  EXPECT_EQ(kind("0.0", table), "not judged");
+  EXPECT_EQ(kind("0.0", column), "not judged");
+  EXPECT_EQ(kind("0.5", table), "bounded but wrong");
+  EXPECT_EQ(kind("0.5", column), "bounded but wrong");
+}
+
 TEST(Stability, TakesAKeyAwayWhereAValueIsAbsent)
 {
   const Workspace w;
