@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <limits>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -93,6 +94,15 @@ namespace verify
         if (trade.references.size() >= 3)
           check.uncertain_against = trade.references;
       }
+      std::optional<Take> of_elements;
+      if (auto take = section.section("take_fe_reference"))
+      {
+        Check other = check;
+        other.take = read_take(*take, &check.take);
+        check_formulas(section, other, trade.c.constants);
+        hand_coverage_on(other);
+        of_elements = other.take;
+      }
       check_formulas(section, check, trade.c.constants);
       check_csv(section, check, trade.c);
       refuse_what_cannot_fail(section, check, trade.c.constants);
@@ -103,6 +113,8 @@ namespace verify
         check_norm(section, "norms", check);
         check.name = name + ", " + norm;
         trade.measures.push_back(check);
+        if (of_elements)
+          trade.takes_of_elements[check.name] = *of_elements;
       }
       section.refuse_unused();
     }

@@ -2,6 +2,7 @@
 // format).
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,8 @@ namespace verify
     std::vector<Check>
         measures; // one per quantity and norm, named "quantity, norm"; `take` without a run, and
                   // `against` without one where a row is held against a quantity of its own
+    std::map<std::string, Take> takes_of_elements; // by measure: what a row of fe_reference has of
+                                                   // it, where that lies under another name
     std::vector<std::string> references;
     std::vector<TradeRow> rows;
     std::string reference_text; // for people

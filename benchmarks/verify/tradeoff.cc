@@ -114,6 +114,9 @@ namespace verify
           why.push_back(check.name + ": finite elements against finite elements of unknown error");
           continue;
         }
+        const auto of_elements = trade.takes_of_elements.find(check.name);
+        if (row.run.solver == "fe_reference" && of_elements != trade.takes_of_elements.end())
+          check.take = of_elements->second;
         check.take.run = row.run.name;
         for (auto &inner : check.take.with)
           inner.run = row.run.name;

@@ -140,6 +140,22 @@ TEST(Tradeoff, FailsWhereARowIsRefusedAndSaysWhy)
   EXPECT_NE(rows[1]["why"].dump().find("fake trouble of kind 2"), std::string::npos) << rows[1];
 }
 
+// The elements have an outline where the material points have a contour.
+TEST(Tradeoff, TakesWhatElementsCallByAnotherName)
+{
+  const Workspace w;
+  w.write("cases/bar/expect.toml", "title = \"bar\"\n[[run]]\nsolver = \"mpm_pf\"\n");
+  w.write("cases/bar/tradeoff.toml",
+          "[[quantity]]\nname = \"q\"\ntake = {number = \"no such\"}\nagainst = {number = 2}\n"
+          "take_fe_reference = {number = \"largest\"}\nnorms = [\"relative\"]\n"
+          "[[family]]\nname = \"points\"\n"
+          "[[family]]\nname = \"elements\"\nsolver = \"fe_reference\"\n");
+  ASSERT_EQ(tradeoff(w.paths(), "bar", w.options()), 0);
+  const auto rows = nlohmann::json::parse(w.read("results/tradeoff/bar.json"))["rows"];
+  EXPECT_TRUE(rows[0]["errors"]["q, relative"].is_null());
+  EXPECT_TRUE(rows[1]["errors"]["q, relative"].is_number());
+}
+
 TEST(Advice, CallsTheErrorOfALoneReferenceUnknown)
 {
   const Workspace w;
