@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "scene/body_sizes.h"
 #include "scene/build.h"
 #include "scene/geometry.h"
 #include "scene/inputs.h"
@@ -57,62 +58,26 @@ namespace scene
       double cells_of_elastic;  // across the thinnest body of a solid alone
       double cells_along;       // and along the longest, for a body that is thin nowhere
       double cells_of_plastic;  // the same where it yields: shear bands want more
-      int points_per_cell;      // in each direction
+      int points_of_elastic;    // in each direction of a cell: strains that stay want more points
+      int points_of_plastic;    // than those that flow away
       double mach;              // of a solid that is driven, not thrown
-      const char *precision;    // of growth
-      const char *advection;    // scheme
-      double advection_step;    // cells that the motion may cross per step and axis
-      int degree;               // of the finite elements
+      double crossings;         // of a scaled wave while supports or walls go their way
+      double noise_step;        // D dt/dx^2 where noise alone moves the heat; it adds twice that
+                                // to the variance
       int load_steps;           // of the finite elements
       double elements_across_thinnest;
+      const char *precision = "float";       // of growth
+      const char *advection = "cip_hermite"; // scheme
+      double advection_step = 0.4;           // cells that the motion may cross per step and axis
+      int degree = 2;                        // of the finite elements
     };
 
     const Level &level_of(const Accuracy accuracy)
     {
-      static const Level draft{0.8,     0.67,          2.,  12., 10., 2,  5e-3,
-                               "float", "cip_hermite", 0.4, 2,   50,  2.5},
-          standard{0.6, 0.5, 4., 24., 20., 2, 2e-3, "float", "cip_hermite", 0.4, 2, 50, 5.},
-          fine{0.4, 0.25, 8., 48., 40., 2, 1e-3, "float", "cip_hermite", 0.4, 2, 100, 10.};
+      static const Level draft{0.8, 0.67, 2., 12., 10., 2, 2, 5e-3, 10., 0.1, 50, 2.5};
+      static const Level standard{0.6, 0.5, 4., 24., 20., 3, 2, 2e-3, 20., 0.05, 50, 5.};
+      static const Level fine{0.4, 0.25, 8., 48., 40., 4, 2, 1e-3, 40., 0.025, 100, 10.};
       return accuracy == Accuracy::draft ? draft : accuracy == Accuracy::fine ? fine : standard;
-    }
-
-    double mean_width(const Polygon &polygon)
-    {
-      double area = 0., perimeter = 0.;
-      for (const Polyline &line : polygon.outlines)
-      {
-        area += signed_area(line);
-        for (std::size_t k = 0; k < line.size(); ++k)
-          perimeter += (line[(k + 1) % line.size()] - line[k]).norm();
-      }
-      return perimeter > 0. ? 2. * std::abs(area) / perimeter : 0.;
-    }
-
-    struct Sides
-    {
-      double thinnest = 0., longest = 0.;
-    };
-
-    /// Thickness and length of the bodies: the sides of their bounding boxes; of a ring its wall,
-    /// and of a free outline twice its area over its perimeter, which is the width of a long strip.
-    Sides sides_of(const std::vector<Body> &bodies)
-    {
-      Sides sides;
-      for (const Body &body : bodies)
-      {
-        if (std::holds_alternative<RecordedOutline>(body.shape))
-          continue; // its size is not known before it is read
-        const Box box = bounding_box({body});
-        const Point side = box.upper - box.lower;
-        double thickness = side.minCoeff();
-        if (const auto *ring = std::get_if<Ring>(&body.shape))
-          thickness = ring->outer_radius - ring->inner_radius;
-        if (const auto *polygon = std::get_if<Polygon>(&body.shape))
-          thickness = std::min(thickness, mean_width(*polygon));
-        sides.thinnest = sides.thinnest > 0. ? std::min(sides.thinnest, thickness) : thickness;
-        sides.longest = std::max(sides.longest, side.maxCoeff());
-      }
-      return sides;
     }
 
     /// A key of the preset: its value, and what the scene holds instead once it is read.
@@ -135,17 +100,18 @@ namespace scene
                (s.growth ? level.spacing_of_growth : level.spacing_of_marker);
       if (!s.solid || s.bodies.empty())
         return 0.;
-      const Sides sides = sides_of(s.bodies);
-      return s.solid->yield_stress ? sides.thinnest / level.cells_of_plastic
-                                   : std::min(sides.thinnest / level.cells_of_elastic,
-                                              sides.longest / level.cells_along);
+      const BodySizes sizes = sizes_to_resolve(s);
+      return s.solid->yield_stress ? sizes.thinnest / level.cells_of_plastic
+                                   : std::min(sizes.thinnest / level.cells_of_elastic,
+                                              sizes.longest / level.cells_along);
     }
 
     std::array<int, 2> cells_of_domain(const Scene &s, const Level &level)
     {
       const double spacing = wanted_spacing(s, level);
-      return spacing > 0. && s.domain.size.minCoeff() > 0. ? square_cells(s.domain.size, spacing)
-                                                           : std::array<int, 2>{0, 0};
+      return spacing > 0. && s.domain.size.minCoeff() > 0.
+                 ? square_cells(s.domain.size, spacing, ends_of_held_segments(s))
+                 : std::array<int, 2>{0, 0};
     }
 
     void choose_solid(std::vector<Choice> &choices, const Scene &s, const Level &level)
@@ -153,17 +119,18 @@ namespace scene
       const Mpm mpm = s.mpm.value_or(Mpm{});
       const auto as_text = [](const std::array<int, 2> &two)
       { return inline_text(pair(two[0], two[1])); };
-      choices.push_back({"mpm", "points_per_cell",
-                         pair(level.points_per_cell, level.points_per_cell),
-                         as_text(mpm.points_per_cell)});
-      if (const auto mach = scaled_mach(s, level.mach))
+      const bool stays_elastic = !s.solid->yield_stress && !s.growth;
+      const int points = stays_elastic ? level.points_of_elastic : level.points_of_plastic;
+      choices.push_back(
+          {"mpm", "points_per_cell", pair(points, points), as_text(mpm.points_per_cell)});
+      if (const auto mach = scaled_mach(s, level.mach, level.crossings))
         choices.push_back({"mpm", "mach", number(*mach), absent_or(mpm.mach)});
-      if (s.phase_field || s.bodies.empty())
+      if (s.growth || s.bodies.empty())
         return;
       const Fe fe = s.fe.value_or(Fe{});
       const Box box = bounding_box(s.bodies);
       const Point side = box.upper - box.lower;
-      const double size = sides_of(s.bodies).thinnest / level.elements_across_thinnest;
+      const double size = sizes_to_resolve(s).thinnest / level.elements_across_thinnest;
       const auto along = [&](const int axis)
       { return static_cast<int>(std::clamp(std::round(side[axis] / size), 1., most_elements)); };
       choices.push_back({"fe", "cells", pair(along(0), along(1)), as_text(fe.cells)});
@@ -183,6 +150,11 @@ namespace scene
       if (s.growth)
         choices.push_back(
             {"growth", "precision", text(level.precision), word(s.growth->precision)});
+      const double spacing = s.domain.cells[0] > 0 ? s.domain.spacing()[0] : 0.;
+      if (s.noise && s.heat && !s.growth && spacing > 0.)
+        choices.push_back({"clock", "step",
+                           number(level.noise_step * spacing * spacing / s.heat->diffusivity),
+                           absent_or(s.clock.step)});
       if (s.imposed || (s.solid && s.phase_field))
       {
         const Advection advection = s.advection.value_or(Advection{});
@@ -217,18 +189,31 @@ namespace scene
     }
   } // namespace
 
-  std::array<int, 2> square_cells(const Point &size, const double spacing)
+  std::array<int, 2> square_cells(const Point &size, const double spacing,
+                                  const std::array<std::vector<double>, 2> &marks)
   {
     if (size.maxCoeff() > most_cells * spacing)
       return {0, 0};
+    const auto whole = [](const double x)
+    { return std::abs(x - std::round(x)) <= 1e-9 * (1. + std::abs(x)); };
+    std::array<int, 2> coarsest{0, 0};
     const int first = static_cast<int>(std::ceil(size[1] / spacing * (1. - 1e-9)));
     for (int ny = std::max(1, first); ny <= std::max(2, 3 * first / 2); ++ny)
     {
       const double nx = size[0] * ny / size[1];
-      if (std::abs(nx - std::lround(nx)) <= 1e-9 * nx && nx >= 1.)
-        return {static_cast<int>(std::lround(nx)), ny};
+      if (!whole(nx) || nx < 0.5)
+        continue;
+      const std::array<int, 2> cells{static_cast<int>(std::lround(nx)), ny};
+      if (coarsest[0] == 0)
+        coarsest = cells;
+      bool on_lines = true;
+      for (int axis = 0; axis < 2; ++axis)
+        for (const double mark : marks[static_cast<std::size_t>(axis)])
+          on_lines = on_lines && whole(mark / size[axis] * cells[static_cast<std::size_t>(axis)]);
+      if (on_lines)
+        return cells;
     }
-    return {0, 0};
+    return coarsest;
   }
 
   void apply_preset(Value &root, ErrorList &errors)

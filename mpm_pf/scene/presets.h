@@ -9,6 +9,7 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
 #include "scene/error_list.h"
 #include "scene/scene.h"
@@ -25,6 +26,8 @@ namespace scene
   std::string describe_preset(const Scene &);
 
   /// Cells of the given domain that are square and at most `spacing` wide (by at most a half
-  /// finer); {0, 0} if none divide both sides.
-  std::array<int, 2> square_cells(const Point &size, double spacing);
+  /// finer); {0, 0} if none divide both sides. `marks`: distances from the domain's lower corner,
+  /// by axis. The coarsest cells that have mesh lines on all of them are taken, else the coarsest.
+  std::array<int, 2> square_cells(const Point &size, double spacing,
+                                  const std::array<std::vector<double>, 2> &marks = {});
 } // namespace scene

@@ -11,8 +11,6 @@ namespace scene
 {
   namespace
   {
-    constexpr double crossings = 10.;
-
     // Largest speed of supports and walls, and how far they go.
     struct Drive
     {
@@ -72,7 +70,7 @@ namespace scene
                        });
   }
 
-  std::optional<double> scaled_mach(const Scene &s, const double wanted)
+  std::optional<double> scaled_mach(const Scene &s, const double wanted, const double crossings)
   {
     if (!s.solid || !s.tractions.empty() || s.body_force)
       return {};

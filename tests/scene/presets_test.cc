@@ -102,6 +102,45 @@ TEST(Preset, ScalesTheDensityLessForAShortWay)
   const auto mach = read(little, "draft").mpm->mach;
   ASSERT_TRUE(mach);
   EXPECT_NEAR(*mach, 1e-4, 1e-6);
+  for (const auto &[accuracy, crossings] : {std::pair{"standard", 20.}, {"fine", 40.}})
+    EXPECT_NEAR(*read(little, accuracy).mpm->mach, 1e-3 / crossings, 1e-6) << accuracy;
+}
+
+// What is held whole is not resolved: a grip of a tenth of the bar's width asks for no finer
+// cell.
+TEST(Preset, LeavesOutWhatASupportHoldsWhole)
+{
+  const std::string grip = "[[body]]\nname = \"grip\"\nshape = \"rectangle\"\n"
+                           "corner = [3.0, 1.0]\nsize = [0.1, 0.4]\n";
+  const std::string holding = "[[support]]\nname = \"held\"\n"
+                              "region = { lower = [3.0, 1.0], upper = [3.1, 1.4] }\n"
+                              "displacement = [\"0\", \"0\"]\n";
+  const auto alone = read(bar_without_knobs, "draft").domain.cells;
+  EXPECT_EQ(read(bar_without_knobs + grip + holding, "draft").domain.cells, alone);
+  EXPECT_GT(read(bar_without_knobs + grip, "draft").domain.cells[0], alone[0]);
+  const std::string half = with(holding, "\"0\", \"0\"", "\"0\", \"free\"");
+  EXPECT_GT(read(bar_without_knobs + grip + half, "draft").domain.cells[0], alone[0]);
+}
+
+TEST(Preset, GivesMorePointsToWhatStaysElastic)
+{
+  const std::string elastic = with(bar_without_knobs, "yield_stress = 4e8\n", "");
+  EXPECT_EQ(read(elastic, "fine").mpm->points_per_cell, (std::array<int, 2>{4, 4}));
+  EXPECT_EQ(read(bar_without_knobs, "fine").mpm->points_per_cell, (std::array<int, 2>{2, 2}));
+}
+
+// Of the cells' 0.1 and D = 3: 0.1, 0.05 and 0.025 of dx^2/D.
+TEST(Preset, ShortensTheStepWhereNoiseAloneMovesTheHeat)
+{
+  const std::string noisy =
+      "title = \"a\"\n[domain]\nsize = [1.0, 1.0]\ncells = [10, 10]\n"
+      "[heat]\ndiffusivity = 3.0\nundercooling = 0.0\n[noise]\nstrength = 1e-4\n"
+      "[clock]\nend = 1.0\n";
+  for (const auto &[accuracy, fraction] :
+       {std::pair{"draft", 0.1}, {"standard", 0.05}, {"fine", 0.025}})
+    EXPECT_NEAR(*read(noisy, accuracy).clock.step, fraction * 0.01 / 3., 1e-9) << accuracy;
+  EXPECT_EQ(*read(with(noisy, "end = 1.0\n", "end = 1.0\nstep = 1e-4\n"), "fine").clock.step, 1e-4);
+  EXPECT_FALSE(read(seed_without_cells, "fine").clock.step);
 }
 
 // 0.4 m/s at a wave speed of 73 m/s: a Mach number of 5e-3 would take density away.
@@ -148,4 +187,14 @@ TEST(SquareCells, DivideBothSides)
   EXPECT_EQ(scene::square_cells({5.0, 2.4}, 0.1), (std::array<int, 2>{50, 24}));
   EXPECT_EQ(scene::square_cells({6.0, 9.0}, 0.2), (std::array<int, 2>{30, 45}));
   EXPECT_EQ(scene::square_cells({1.0, 1.0001}, 0.1), (std::array<int, 2>{0, 0}));
+}
+
+// A footing that ends at 1.0 ends between nodes of 77 x 56 cells, on one of 88 x 64.
+TEST(SquareCells, LieWhereASupportEnds)
+{
+  EXPECT_EQ(scene::square_cells({4.4, 3.2}, 0.0625), (std::array<int, 2>{77, 56}));
+  EXPECT_EQ(scene::square_cells({4.4, 3.2}, 0.0625, {{{0.0, 1.0}, {}}}),
+            (std::array<int, 2>{88, 64}));
+  EXPECT_EQ(scene::square_cells({4.4, 3.2}, 0.0625, {{{0.987}, {}}}), (std::array<int, 2>{77, 56}))
+      << "nowhere";
 }
