@@ -198,7 +198,9 @@ namespace verify
       section.add_error(key,
                         of_rasters ? "this norm compares numbers and the take is a raster"
                                    : "this norm compares numbers and the take is a curve",
-                        "take it with `at` or `reduce`, or say max, rms, l2 or mean");
+                        of_rasters
+                            ? "take it with `reduce` instead of `bin`, or say max, rms or mean"
+                            : "take it with `at` or `reduce`, or say max, rms, l2 or mean");
     if ((check.norm == "value") != (check.against.kind == Against::Kind::nothing))
       section.add_error(key, "`value` stands without `against`, every other norm with it");
   }

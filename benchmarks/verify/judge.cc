@@ -58,9 +58,10 @@ namespace verify
       }
       if (const auto *raster = std::get_if<Raster>(&taken))
       {
+        const double value = evaluate(text, constants);
         Raster reference = *raster;
         for (auto &[index, mean] : reference.mean)
-          mean = evaluate(text, constants);
+          mean = value;
         return reference;
       }
       if (std::holds_alternative<Outline>(taken))

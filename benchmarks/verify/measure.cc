@@ -152,9 +152,11 @@ namespace verify
         box.push_back(evaluate(text, constants));
       const auto where = places(snapshot);
       ColumnData columns;
+      std::vector<std::size_t> taken;
       for (std::size_t i = 0; i < where.size(); ++i)
         if (inside(box, where[i]))
         {
+          taken.push_back(i);
           columns["x"].push_back(where[i][0]);
           columns["y"].push_back(where[i][1]);
           for (const auto &[field, values] : snapshot.fields)
@@ -171,7 +173,7 @@ namespace verify
         if (!std::isfinite(value))
           throw MissingData(fmt::format("`{}` is {} somewhere in the snapshot", take.of, value));
       if (!take.bin.empty())
-        return rasterised(snapshot, samples.y, evaluate(take.bin, constants), take.mirror);
+        return rasterised(snapshot, {taken, samples.y}, evaluate(take.bin, constants), take.mirror);
       return reduce(samples, take.reduce);
     }
 

@@ -65,11 +65,6 @@ namespace verify
       return curve_distance(name, common_samples(zero, reference, 0.));
     }
 
-    double raster_distance(const Norm &norm, const Raster &a, const Raster &b)
-    {
-      return curve_distance(norm.name, common_squares(a, b, norm.coverage));
-    }
-
     double raster_size(const Raster &raster)
     {
       double size = 0.;
@@ -98,7 +93,8 @@ namespace verify
       if (const auto *curve = std::get_if<Curve>(&a))
         return curve_distance(norm.name, common_samples(*curve, std::get<Curve>(b), norm.coverage));
       if (const auto *raster = std::get_if<Raster>(&a))
-        return raster_distance(norm, *raster, std::get<Raster>(b));
+        return curve_distance(norm.name,
+                              common_squares(*raster, std::get<Raster>(b), norm.coverage));
       return outline_distance(norm.name, std::get<Outline>(a), std::get<Outline>(b));
     }
 

@@ -80,25 +80,35 @@ namespace verify
       return found->second;
     }
 
-    void collect(Collector &collector, const record::Snapshot &snapshot,
-                 const std::vector<double> &values, const double bin)
+    void collect_cells(Collector &collector, const record::Snapshot &snapshot,
+                       const PlacedValues &values, const double bin)
     {
-      if (snapshot.kind == Kind::cells)
+      for (std::size_t k = 0; k < values.place.size(); ++k)
       {
-        for (std::size_t c = 0; c < values.size(); ++c)
-        {
-          Corners corner;
-          for (std::size_t v = 0; v < 4; ++v)
-            corner[v] = snapshot.vertex.at(snapshot.connectivity.at(4 * c + v));
-          add_cell(collector, corner, values[c], bin);
-        }
-        return;
+        Corners corner;
+        for (std::size_t v = 0; v < 4; ++v)
+          corner[v] = snapshot.vertex.at(snapshot.connectivity.at(4 * values.place[k] + v));
+        add_cell(collector, corner, values.value[k], bin);
       }
+    }
+
+    void collect_points(Collector &collector, const record::Snapshot &snapshot,
+                        const PlacedValues &values)
+    {
+      const auto &area = areas(snapshot);
+      for (std::size_t k = 0; k < values.place.size(); ++k)
+      {
+        const std::size_t i = values.place[k];
+        collector.add(snapshot.vertex.at(i), area.at(i), values.value[k]);
+      }
+    }
+
+    void collect_nodes(Collector &collector, const record::Snapshot &snapshot,
+                       const PlacedValues &values)
+    {
       const auto where = places(snapshot);
-      const bool points = snapshot.kind == Kind::points;
-      for (std::size_t i = 0; i < where.size(); ++i)
-        collector.add(where[i], points ? areas(snapshot).at(i) : snapshot.spacing.prod(),
-                      values[i]);
+      for (std::size_t k = 0; k < values.place.size(); ++k)
+        collector.add(where.at(values.place[k]), snapshot.spacing.prod(), values.value[k]);
     }
   } // namespace
 
@@ -122,13 +132,18 @@ namespace verify
     return result;
   }
 
-  Raster rasterised(const record::Snapshot &snapshot, const std::vector<double> &values,
-                    const double bin, const std::string &mirror)
+  Raster rasterised(const record::Snapshot &snapshot, const PlacedValues &values, const double bin,
+                    const std::string &mirror)
   {
     if (!(bin > 0. && std::isfinite(bin)))
       throw MissingData(fmt::format("`bin` is {}: it is the side of a square", bin));
     Collector collector(bin, mirror);
-    collect(collector, snapshot, values, bin);
+    if (snapshot.kind == Kind::cells)
+      collect_cells(collector, snapshot, values, bin);
+    else if (snapshot.kind == Kind::points)
+      collect_points(collector, snapshot, values);
+    else
+      collect_nodes(collector, snapshot, values);
     Raster raster;
     for (const auto &[index, square] : collector.squares)
       if (square.area >= filled * bin * bin)

@@ -13,12 +13,19 @@ namespace verify
   /// Centres of a snapshot's points, nodes or cells.
   std::vector<scene::Point> places(const record::Snapshot &);
 
-  /// Mean of `values` (one for each place) over squares of side `bin` (length), weighted by area: a
-  /// point's own (field `area`), a node's cell, and of a cell as much as lies in the square.
-  /// Squares that the material fills to less than three quarters are left out: a mean over the rest
-  /// of an edge's square is that of another place. `mirror`: "x" (x -> -x), "y" (y -> -y), or as it
-  /// is. Throws MissingData if `bin` is not positive, points have no area, or no square is filled.
-  Raster rasterised(const record::Snapshot &, const std::vector<double> &values, double bin,
+  /// Values at some of a snapshot's places, by their number there.
+  struct PlacedValues
+  {
+    const std::vector<std::size_t> &place;
+    const std::vector<double> &value;
+  };
+
+  /// Mean of the values over squares of side `bin` (length), weighted by area: a point's own (field
+  /// `area`), a node's cell, and of a cell as much as lies in the square. Squares that these places
+  /// fill to less than three quarters are left out: a mean over the rest of an edge's square is
+  /// that of another place. `mirror`: "x" (x -> -x), "y" (y -> -y), or as it is. Throws MissingData
+  /// if `bin` is not positive, points have no area, or no square is filled.
+  Raster rasterised(const record::Snapshot &, const PlacedValues &, double bin,
                     const std::string &mirror);
 
   /// Squares that both have, all of one weight. Throws MissingData if they are less than

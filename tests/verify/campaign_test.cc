@@ -51,12 +51,24 @@ TEST(Campaign, PassesEqualRunsInEveryKindOfProbe)
       {"outline = \"outline\", of = \"side\", side = \"right\", y = 0.9", "{number = 1}",
        "absolute"},
       {"snapshot = \"fields\", of = \"sum - x - y\", reduce = \"max_abs\"", "\"zero\"", "absolute"},
+      {"snapshot = \"fields\", of = \"sum\", bin = 1", "{run = \"fe_reference\"}", "max"},
       {"number = \"largest\"", "{number = 1}", "relative"}};
   for (const auto &kind : kinds)
   {
     const auto campaign = w.run(two_runs + check(kind.take, kind.against, kind.norm, "1e-6"));
     EXPECT_EQ(campaign.exit_code, 0) << kind.take << ": " << only(campaign).why;
   }
+}
+
+// Squares of a box are those of the whole there: 1 and 2 of 0, 1, 1, 2.
+TEST(Campaign, AveragesWhatABoxHoldsWhereItIs)
+{
+  const Workspace w;
+  const auto campaign = w.run(
+      two_runs + check("snapshot = \"fields\", of = \"sum\", bin = 1, box = [[0.5, -1], [2, 2]]",
+                       "{run = \"fe_reference\", box = [[-1, -1], [2, 2]]}", "max",
+                       "1e-6\ncoverage = 0.5"));
+  EXPECT_EQ(only(campaign).status, Status::pass) << only(campaign).why;
 }
 
 // A crystal turned the wrong way round must not pass for the right one.

@@ -110,6 +110,7 @@ namespace
     record::Snapshot snapshot;
     snapshot.vertex = {{0., 0.}, {1., 0.}, {0., 1.}, {1., 1.}};
     snapshot.fields["sum"] = {off, 1. + off, 1. + off, 2. + off};
+    snapshot.fields["area"] = {1., 1., 1., 1.};
     writer.snapshot("fields", recorded, snapshot);
     writer.attribute("largest", 1. + off);
     if (off > 0.)

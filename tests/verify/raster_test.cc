@@ -2,6 +2,7 @@
 #include "raster.h"
 
 #include <cmath>
+#include <numeric>
 
 #include <gtest/gtest.h>
 
@@ -69,7 +70,9 @@ namespace
   Raster raster_of(const record::Snapshot &snapshot, const double bin,
                    const std::string &mirror = "")
   {
-    return rasterised(snapshot, snapshot.fields.at("f"), bin, mirror);
+    std::vector<std::size_t> all(snapshot.fields.at("f").size());
+    std::iota(all.begin(), all.end(), 0u);
+    return rasterised(snapshot, {all, snapshot.fields.at("f")}, bin, mirror);
   }
 } // namespace
 
@@ -113,6 +116,27 @@ TEST(Rasters, OfTwoProgramsAreComparedSquareBySquare)
   EXPECT_THROW(distance({"rms", {}, 0.9}, moved, b, b), MissingData);
   EXPECT_NO_THROW(distance({"rms", {}, 0.5}, moved, b, b));
   EXPECT_THROW(distance({"rms", {}, 0.9}, a, 1., 1.), MissingData);
+}
+
+// Values belong to the places that were taken, not to the first ones of the snapshot.
+TEST(Rasters, OfSomePlacesAreThoseOfTheWholeThere)
+{
+  for (const record::Snapshot &body : {points(20), cells(20)})
+  {
+    std::vector<std::size_t> upper;
+    std::vector<double> values;
+    const auto where = places(body);
+    for (std::size_t i = 0; i < where.size(); ++i)
+      if (where[i][1] > 1.)
+      {
+        upper.push_back(i);
+        values.push_back(body.fields.at("f")[i]);
+      }
+    const Raster part = rasterised(body, {upper, values}, 0.5, ""), whole = raster_of(body, 0.5);
+    ASSERT_EQ(part.mean.size(), 10u); // five columns of two rows
+    for (const auto &[square, mean] : part.mean)
+      EXPECT_NEAR(mean, whole.mean.at(square), 0.1) << square[0] << ' ' << square[1];
+  }
 }
 
 TEST(Rasters, AreMirroredAboutTheAxes)
