@@ -46,7 +46,7 @@ def figure14(results):
         one.set(xlim=middle[0] + np.array([-reach, reach]), ylim=middle[1] + np.array([-reach, reach]))
         one.set(aspect="equal", xticks=[], yticks=[])
         panels.colour_bar(figure, drawn, one, compression.names_of(run)[field], location="bottom")
-    compression.scale_bar(axes[1], run, "right")
+    compression.scale_bar(axes[1], run)
     figure.supxlabel(labels(run, 90), fontsize=6.5)
     for segment in lines.allsegs[0]:
         curves.append(panels.Curve("close-up at 10 %", "phi = 0", segment[:, 0], segment[:, 1]))
