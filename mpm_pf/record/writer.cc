@@ -225,6 +225,12 @@ namespace record
     file->write([&](const hid_t open) { file->buffer.write(open); });
   }
 
+  void Writer::flush_after(const double seconds)
+  {
+    if (file->buffer.wait() > seconds)
+      flush();
+  }
+
   void Writer::finish(const Profile &profile, const std::string &status)
   {
     file->finished = true;

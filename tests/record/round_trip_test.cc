@@ -67,6 +67,17 @@ TEST(Record, GivesTableRowsBackBitForBit)
   EXPECT_TRUE(std::signbit(table.rows.at(1).at(1)));
 }
 
+TEST(Record, ShowsItsRowsWhenTheyHaveWaitedAndNotBefore)
+{
+  const Scratch scratch;
+  Writer writer(scratch / "a.h5", someone, some_scene(), false);
+  writer.table("top reaction", force, 0., {1., 2.});
+  writer.flush_after(3600.);
+  EXPECT_TRUE(Reader(scratch / "a.h5.part").tables().empty());
+  writer.flush_after(0.);
+  EXPECT_EQ(Reader(scratch / "a.h5.part").table("top reaction").time.size(), 1u);
+}
+
 TEST(Record, KeepsMissingLineValuesMissing)
 {
   const Scratch scratch;
