@@ -29,6 +29,8 @@ std::map<std::string, double> memory(const World &world)
     held["velocity"] = static_cast<double>(world.velocity->x.bytes() + world.velocity->y.bytes());
   if (world.advection)
     held["advection"] = static_cast<double>(world.advection->bytes());
+  if (world.uncarried)
+    held["mean velocity"] = static_cast<double>(world.uncarried->bytes());
   if (world.extension)
     held["extension"] = static_cast<double>(medium::bytes(*world.extension));
   if (world.solid)

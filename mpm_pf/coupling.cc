@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "medium/numerical_error.h"
-#include "medium/sums.h"
 #include "record/stopwatch.h"
 #include "scene/value.h"
 #include "solid/growing.h"
@@ -92,14 +91,6 @@ namespace
     return fields;
   }
 
-  /// The melt's fields end at the walls' new places.
-  void update_cuts(World &w)
-  {
-    medium::update_cuts(*w.walls, *w.mesh, walled_fields(w));
-    if (w.orientation && w.orientation->varying())
-      melt::refresh(*w.orientation, *w.mesh);
-  }
-
   void sweep(World &w, const double dt)
   {
     const long steps = std::max(1L, std::lround(std::ceil(dt / growth_step(w) * (1. - 1e-9))));
@@ -118,6 +109,13 @@ namespace
     }
   }
 } // namespace
+
+void update_cuts(World &w)
+{
+  medium::update_cuts(*w.walls, *w.mesh, walled_fields(w));
+  if (w.orientation && w.orientation->varying())
+    melt::refresh(*w.orientation, *w.mesh);
+}
 
 bool coupled(const World &w)
 {
@@ -142,7 +140,7 @@ void impose(World &w, const double dt)
   w.imposed->evaluate(w.time + dt / 2, *w.mesh, *w.velocity);
   if (w.walls)
     medium::fill_behind(*w.velocity, *w.walls, *w.mesh);
-  w.melt_moves = w.imposed->moves();
+  w.melt_moves = w.imposed->moves() || (w.uncarried && w.uncarried->steps > 0);
 }
 
 void activate_solid(World &w)
@@ -171,9 +169,11 @@ void move_solid(World &w, const double dt)
   const record::PartTimer timer = record::time_part(w.spent, "extension");
   const double full_mass =
       solid::density_scaling(*w.solid).density * w.mesh->spacing[0] * w.mesh->spacing[1];
-  const auto material = copy_velocity(mean, full_mass, *w.mesh, *w.velocity);
+  auto material = copy_velocity(mean, full_mass, *w.mesh, *w.velocity);
   medium::extend_into_liquid<double>(*w.extension, {&w.velocity->x, &w.velocity->y}, w.phase->value,
                                      material, *w.mesh);
+  if (w.uncarried)
+    w.uncarried->material.swap(material);
   fill_velocity_ghosts(w);
   w.melt_moves = true;
 }
@@ -185,68 +185,6 @@ void move_solid_alone(World &w, const double dt)
   const record::PartTimer timer = record::time_part(w.spent, "solid");
   solid::advance(*w.solid, dt);
   note_contacts(w, w.time + dt);
-}
-
-namespace
-{
-  /// Where the velocity is the displacement over a whole coupling step, material that is squeezed
-  /// out ahead of a fast wall may cross more cells than a scheme can carry at once; so may a jet of
-  /// an unsteady motion that is narrower than the nodes at which it was looked at ahead.
-  long advection_steps(const World &w, const double dt)
-  {
-    const auto scheme = w.advection->scheme();
-    const double shift = dt * medium::crossing_rate(*w.velocity, *w.mesh);
-    const double asked = advection_fraction(*w.scene) * (1. + 1e-6);
-    if (w.imposed && (w.imposed->steady() || shift <= asked))
-      return 1; // as the scene asks
-    const double allowed = 0.9 * medium::largest_shift(scheme);
-    // A motion that cannot be meant is left for advect() to refuse.
-    constexpr double most = 64.;
-    return shift > allowed && shift < most * allowed ? std::lround(std::ceil(shift / allowed)) : 1;
-  }
-
-  /// v . grad f is no flux: where v diverges, as its extension into the melt does, and by the error
-  /// of the scheme, advection changes the integral of f. In a scene with heat that is booked.
-  void advect_field(World &w, AdvectedField &field, const double dt)
-  {
-    const medium::Cuts cuts = cuts_of(w);
-    const auto integral = [&]
-    { return w.mesh->spacing.prod() * medium::weighted_sum(field.value, *w.mesh, cuts); };
-    const double before = w.heat ? integral() : 0.;
-    w.advection->advect(field.value, field.gradients, *w.velocity, dt);
-    if (w.heat)
-      field.advected += integral() - before;
-  }
-
-  void advect_once(World &w, const double dt)
-  {
-    if (w.phase)
-      advect_field(w, *w.phase, dt); // Eq. (1)
-    if (w.heat)
-      advect_field(w, *w.heat, dt); // Eq. (2)
-    if (w.orientation && w.scene->orientation->turning)
-    {
-      melt::allocate_angle_field(*w.orientation, *w.mesh);
-      melt::advance_orientation(*w.orientation, *w.velocity, dt, *w.mesh, *w.advection,
-                                w.extension.get()); // Eq. (3)
-    }
-  }
-} // namespace
-
-void advect_melt(World &w, const double dt)
-{
-  const record::PartTimer timer = record::time_part(w.spent, "advection");
-  const long steps = advection_steps(w, dt);
-  for (long k = 0; k < steps; ++k)
-    advect_once(w, dt / static_cast<double>(steps));
-  if (w.extension && w.orientation && w.scene->orientation->turning)
-  {
-    // By the distance that the velocity was extended with: new solid inherits the front's angle.
-    medium::extend_inherited(*w.extension, {&w.orientation->angle}, *w.mesh);
-    melt::refresh(*w.orientation, *w.mesh);
-  }
-  if (w.walls && !w.growth)
-    update_cuts(w);
 }
 
 void grow(World &w, const double dt)

@@ -25,9 +25,20 @@ void move_solid(World &, double dt);
 /// Advance a solid beside which nothing is carried.
 void move_solid_alone(World &, double dt);
 
+/// The melt's fields end at the walls' new places.
+void update_cuts(World &);
+
 /// v . grad of Eqs. (1)-(3): everything that the melt carries follows the velocity over dt; then
-/// the fields end at the walls again.
+/// the fields end at the walls again. With advection.interval above 1 the way of dt may wait for
+/// that of later steps (uncarried.h).
 void advect_melt(World &, double dt);
+
+/// Where the motion has gone on without the melt's fields they follow it now: so that what is
+/// recorded together is of one time.
+void catch_up(World &);
+
+/// Coupling steps from one advection to the next if each crosses `shift` cells along an axis.
+double steps_between_advections(const World &, double shift);
 
 /// Right sides of Eqs. (1) and (2) over dt; what has grown becomes material points.
 void grow(World &, double dt);

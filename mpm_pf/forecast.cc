@@ -9,6 +9,7 @@
 #include <omp.h>
 
 #include "costs.h"
+#include "coupling.h"
 #include "forecast_output.h"
 #include "forecast_probes.h"
 #include "record/stopwatch.h"
@@ -46,6 +47,17 @@ namespace
     forecast.counts["cells"] = static_cast<double>(solid::cells(*world.solid));
   }
 
+  /// How often what need not be done at every coupling step will be.
+  void count_intervals(const World &world, const double steps, const double step_length,
+                       Forecast &forecast)
+  {
+    if (world.uncarried)
+      forecast.counts["advections"] =
+          steps / steps_between_advections(world, shift_of_a_step(world, step_length));
+    if (world.extension->interval > 1)
+      forecast.counts["measurements of the distance, at least"] = steps / world.extension->interval;
+  }
+
   /// A solid with a passive marker: its steps, the extension of its velocity and what that carries.
   void forecast_marked_solid(World &world, Forecast &forecast)
   {
@@ -54,10 +66,19 @@ namespace
     forecast.counts["points"] = static_cast<double>(solid::points(*world.solid));
     forecast.counts["coupling steps"] = steps;
     forecast.counts["steps"] = end / solid::stable_step(*world.solid);
-    const int most = static_cast<int>(std::clamp(steps, 1., double(probe_calls)));
-    const double tried = within_the_run(world, step_length, most);
-    forecast.seconds["solid"] =
-        end / tried * seconds_of([&] { step(world, tried); }, probe_budget_s, most);
+    // What is done every few steps only comes up once in each call that is timed.
+    const int period = std::max(world.uncarried ? world.uncarried->interval : 1,
+                                std::min(world.extension->interval, world.extension->map_interval));
+    const int in_a_call = static_cast<int>(std::clamp(steps / 2., 1., double(period)));
+    const int most = static_cast<int>(std::clamp(steps / in_a_call, 1., double(probe_calls)));
+    const double tried = within_the_run(world, step_length, in_a_call * (1 + most) - 1);
+    const auto call = [&]
+    {
+      for (int k = 0; k < in_a_call; ++k)
+        step(world, tried);
+    };
+    forecast.seconds["solid"] = end / tried / in_a_call * seconds_of(call, probe_budget_s, most);
+    count_intervals(world, steps, step_length, forecast);
     forecast.counts["cells"] = static_cast<double>(solid::cells(*world.solid));
   }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "costs.h"
+#include "coupling.h"
 #include "forecast_growth.h"
 #include "forecast_probes.h"
 #include "solid/points.h"
@@ -121,7 +122,8 @@ namespace
   /// a node costs, in steps of a point, is that of the compressed dendrite.
   void forecast_compression(const World &world, const GrowthLoad &load, Forecast &forecast)
   {
-    constexpr double carried_node = 0.3, extended_node = 6.;
+    constexpr double carried_node = 0.3, extended_node = 6.,
+                     distance_part = 0.5; // of extended_node
     const scene::Scene &scene = *world.scene;
     const scene::Mpm mpm = scene.mpm.value_or(scene::Mpm{});
     const double cell = world.mesh->spacing.prod(), duration = load.end - load.pressed_from;
@@ -139,8 +141,13 @@ namespace
     forecast.counts["coupling steps"] = couplings;
     const double point_step = point_step_seconds(scene);
     forecast.seconds["solid"] = steps * points * point_step;
+    const double apart = steps_between_advections(world, shift_of_a_step(world, coupling));
+    if (world.uncarried)
+      forecast.counts["advections"] = couplings / apart;
+    const double measured = 1. / std::min(world.extension->interval, world.extension->map_interval);
     forecast.seconds["advection"] =
-        couplings * nodes * point_step * (fields * carried_node + extended_node);
+        couplings * nodes * point_step *
+        (fields * carried_node / apart + extended_node * (1. - distance_part * (1. - measured)));
     forecast_compression_memory(world, load, points, forecast);
   }
 } // namespace

@@ -47,6 +47,12 @@ double triad_seconds(const std::size_t nodes)
   return pass / static_cast<double>(nodes);
 }
 
+double shift_of_a_step(const World &world, const double step)
+{
+  const double speed = solid::density_scaling(*world.solid).reference_speed;
+  return step * speed / world.mesh->spacing.minCoeff();
+}
+
 double growth_step_taken(const World &world)
 {
   return std::min(growth_step(world), coupling_step(world));
@@ -96,12 +102,22 @@ void forecast_advection(World &world, const double end, Forecast &forecast)
   const double step = coupling_step(world);
   const double steps = std::max(1., imposed_steps(world, end));
   forecast.counts["coupling steps"] = steps;
-  const double write = seconds_of(
-      [&]
-      {
-        world.imposed->evaluate(world.time, *world.mesh, *world.velocity);
-        advect_melt(world, 1e-3 * step);
-      },
-      probe_budget_s, static_cast<int>(std::clamp(steps, 1., 50.)));
-  forecast.seconds["advection"] = steps * write;
+  world.imposed->evaluate(world.time, *world.mesh, *world.velocity);
+  const double shift = step * medium::crossing_rate(*world.velocity, *world.mesh);
+  const double apart = steps_between_advections(world, shift);
+  if (world.uncarried)
+    forecast.counts["advections"] = steps / apart;
+  // As short that it moves nothing; its advections come as they will with whole steps.
+  const auto write = [&]
+  {
+    for (int k = 0; k < static_cast<int>(apart); ++k)
+    {
+      world.imposed->evaluate(world.time, *world.mesh, *world.velocity);
+      advect_melt(world, 1e-3 * step);
+    }
+    catch_up(world);
+  };
+  forecast.seconds["advection"] =
+      steps / apart *
+      seconds_of(write, probe_budget_s, static_cast<int>(std::clamp(steps / apart, 1., 50.)));
 }

@@ -17,6 +17,9 @@ double seconds_of(const std::function<void()> &call, double budget, int most);
 /// CPU seconds of one pass a = b + s c over `nodes` doubles, per node: the unit of the kernels.
 double triad_seconds(std::size_t nodes);
 
+/// Cells that what drives the solid crosses in a coupling step of that length.
+double shift_of_a_step(const World &, double step);
+
 /// Length of a growth step as it will be taken. Time.
 double growth_step_taken(const World &);
 

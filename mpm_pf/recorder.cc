@@ -72,38 +72,50 @@ double Recorder::next_event(const double time) const
   return next == events.end() ? std::numeric_limits<double>::infinity() : *next;
 }
 
-bool Recorder::due(const std::vector<double> &times, std::size_t &next, const double time) const
+bool Recorder::reaches_time(const std::vector<double> &times, const std::size_t next,
+                            const double time) const
 {
-  if (next >= times.size() || times[next] > time + tolerance)
-    return false;
-  ++next;
-  return true;
+  return next < times.size() && times[next] <= time + tolerance;
 }
 
-bool Recorder::reaches_compression(ScheduledProbe &scheduled, const World &world) const
+bool Recorder::reaches_compression(const ScheduledProbe &scheduled, const World &world) const
 {
   const auto &wanted = scheduled.probe->compressions;
-  if (wanted.empty() || !world.walls || scheduled.next >= wanted.size())
+  if (!world.walls || scheduled.next >= wanted.size())
     return false;
   const auto &walls = world.walls->walls;
   const bool touched =
       std::any_of(walls.begin(), walls.end(),
                   [](const medium::Wall &wall) { return wall.touched.has_value(); });
-  if (!touched || medium::compression(*world.walls) < wanted[scheduled.next] * (1. - 1e-9))
-    return false;
-  ++scheduled.next;
-  return true;
+  return touched && medium::compression(*world.walls) >= wanted[scheduled.next] * (1. - 1e-9);
+}
+
+bool Recorder::is_due(const World &world) const
+{
+  return std::any_of(scheduled_probes.begin(), scheduled_probes.end(),
+                     [&](const ScheduledProbe &scheduled)
+                     {
+                       return reaches_time(scheduled.times, scheduled.next, world.time) ||
+                              reaches_compression(scheduled, world);
+                     });
 }
 
 void Recorder::observe(const World &world)
 {
   const record::PartTimer timer(output);
   for (auto &scheduled : scheduled_probes)
-    if (due(scheduled.times, scheduled.next, world.time) || reaches_compression(scheduled, world))
+    if (reaches_time(scheduled.times, scheduled.next, world.time) ||
+        reaches_compression(scheduled, world))
+    {
+      ++scheduled.next;
       observe_probe(*scheduled.probe, world);
+    }
   for (auto &reaction : reactions)
-    if (due(reaction.events, reaction.next, world.time))
+    if (reaches_time(reaction.events, reaction.next, world.time))
+    {
+      ++reaction.next;
       observe_reaction(reaction, world);
+    }
 }
 
 void Recorder::observe_early_end(const World &world)

@@ -25,6 +25,9 @@ public:
   /// The next compression at which some probe is to be sampled; infinity if none does.
   double next_compression() const;
 
+  /// Whether observe() would sample a probe now.
+  bool is_due(const World &) const;
+
   /// Record all that is due at world.time. Call it at the start and after every step.
   void observe(const World &);
 
@@ -59,8 +62,8 @@ private:
   };
   void schedule_reaction(const std::string &name, const std::string &support,
                          const ReactionSampling &);
-  bool due(const std::vector<double> &times, std::size_t &next, double time) const;
-  bool reaches_compression(ScheduledProbe &, const World &) const;
+  bool reaches_time(const std::vector<double> &times, std::size_t next, double time) const;
+  bool reaches_compression(const ScheduledProbe &, const World &) const;
   void observe_probe(const scene::Probe &, const World &);
   void observe_tip(const scene::TipProbe &, const scene::Probe &, const World &);
   void observe_reaction(ScheduledReaction &, const World &);

@@ -48,6 +48,8 @@ bool simulate(World &world, Recorder &recorder,
     check_melt(world);
     if (lands)
       world.time = event; // the sum of steps differs from it by round-off
+    if (recorder.is_due(world) || finished(world))
+      catch_up(world);
     recorder.observe(world);
     if (!after_step(world))
       return false;

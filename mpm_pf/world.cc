@@ -118,6 +118,9 @@ namespace
     const auto scheme = scene.advection ? scene.advection->scheme : scene::AdvectionScheme::cip;
     world.velocity = std::make_unique<medium::Velocity>(*world.mesh);
     world.advection = std::make_unique<medium::Advection>(*world.mesh, scheme);
+    if (scene.advection && scene.advection->interval > 1)
+      world.uncarried = std::make_unique<Uncarried>(*world.mesh, scene.advection->interval,
+                                                    scene.solid.has_value());
     if (world.phase && (!scene.advection || scene.advection->analytic_gradients))
       world.advection->start(world.phase->value, world.phase->gradients,
                              phase_gradient(scene, *world.mesh, *distance, 0, world.phase->value),

@@ -18,6 +18,7 @@
 #include "record/writer.h"
 #include "scene/scene.h"
 #include "solid/solid.h"
+#include "uncarried.h"
 
 /// A field of the melt with what its advection carries along; the gradients stay empty until
 /// something moves. phi is dimensionless (+1 solid, -1 liquid), theta = (T - Tm)/(L/cp).
@@ -47,8 +48,9 @@ struct World
   std::unique_ptr<medium::Velocity> velocity;     // if anything moves the melt's fields
   std::unique_ptr<medium::Extension> extension;   // [solid] beside [phase_field]
   std::unique_ptr<medium::Advection> advection;
-  bool melt_moves = false; // in the present step
-  solid::Owner solid;      // [solid]
+  std::unique_ptr<Uncarried> uncarried; // advection.interval above 1
+  bool melt_moves = false;              // in the present step
+  solid::Owner solid;                   // [solid]
 
   std::map<std::string, record::Profile::Part> spent; // by module that was called, see stopwatch.h
 };

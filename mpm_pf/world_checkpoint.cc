@@ -58,6 +58,8 @@ namespace
       visit("angle/x", o.gradients.x), visit("angle/y", o.gradients.y);
       visit("angle/xy", o.gradients.xy), visit("angle/last", o.gradients.last);
     }
+    if (world.uncarried)
+      visit("way/x", world.uncarried->way.x), visit("way/y", world.uncarried->way.y);
     // The next step finds it anew; a snapshot of this state shows it.
     if (world.melt_moves)
       visit("velocity/x", world.velocity->x), visit("velocity/y", world.velocity->y);
@@ -71,12 +73,19 @@ void save(const World &world, record::CheckpointTarget &checkpoint)
   if (world.advection && world.heat)
     checkpoint.put("carried", std::vector<double>{world.heat->advected,
                                                   world.phase ? world.phase->advected : 0.});
+  if (world.uncarried)
+    checkpoint.put("way/since",
+                   std::vector<double>{world.uncarried->time, double(world.uncarried->steps)});
   if (world.growth)
     checkpoint.put("growth steps", static_cast<double>(world.growth->steps_taken()));
   if (world.walls)
     checkpoint.put("walls", medium::pack(*world.walls));
   if (world.extension)
+  {
     checkpoint.put("extension", medium::pack(*world.extension, *world.mesh));
+    if (world.extension->interval > 1)
+      checkpoint.put("distance", medium::pack_distance(*world.extension, *world.mesh));
+  }
   if (world.solid)
     solid::checkpoint(*world.solid, [&](const std::string &name, std::vector<double> values)
                       { checkpoint.put("solid/" + name, std::move(values)); });
@@ -94,12 +103,21 @@ void restore(World &world, const record::Checkpoint &checkpoint)
     if (world.phase)
       world.phase->advected = carried.at(1);
   }
+  if (world.uncarried)
+  {
+    const auto &since = checkpoint.get<double>("way/since");
+    world.uncarried->time = since.at(0), world.uncarried->steps = static_cast<long>(since.at(1));
+  }
   if (world.growth)
     world.growth->restore_steps_taken(static_cast<long>(checkpoint.number("growth steps")));
   if (world.walls)
     medium::unpack(*world.walls, checkpoint.get<double>("walls"));
   if (world.extension)
+  {
     medium::unpack(*world.extension, *world.mesh, checkpoint.get<double>("extension"));
+    if (world.extension->interval > 1)
+      medium::unpack_distance(*world.extension, *world.mesh, checkpoint.get<double>("distance"));
+  }
   if (world.solid)
   {
     solid::Checkpoint state = solid::checkpoint(*world.solid);

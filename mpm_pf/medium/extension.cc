@@ -156,8 +156,8 @@ namespace medium
 
   Extension::Extension(const Mesh &mesh, const scene::Extension &settings, double front_width)
       : method(settings.method), front_width(front_width),
-        depth(0.5 * std::max(mesh.spacing[0], mesh.spacing[1])), distance(mesh, settings.band),
-        nearest_piece(mesh)
+        depth(0.5 * std::max(mesh.spacing[0], mesh.spacing[1])), interval(settings.interval),
+        map_interval(settings.map_interval), distance(mesh, settings.band), nearest_piece(mesh)
   {
   }
 
@@ -172,6 +172,43 @@ namespace medium
       afresh ? compute_distance(distance, phi, mesh) : update_distance(distance, phi, mesh);
       if (extension.method == scene::ExtensionMethod::pde)
         reinitialise(distance, phi, extension.front_width, mesh);
+      extension.since_measured = 0;
+    }
+
+    /// phi between the nodes, at a place inside the mesh.
+    template <class T>
+    double interpolated(const Field<T> &phi, const double x, const double y, const Mesh &mesh)
+    {
+      const double u = (x - mesh.lower[0]) / mesh.spacing[0],
+                   v = (y - mesh.lower[1]) / mesh.spacing[1];
+      const int i = std::clamp(static_cast<int>(std::floor(u)), 0, mesh.nodes[0] - 2),
+                j = std::clamp(static_cast<int>(std::floor(v)), 0, mesh.nodes[1] - 2);
+      const double s = u - i, t = v - j;
+      return (1. - t) * ((1. - s) * phi(i, j) + s * phi(i + 1, j)) +
+             t * ((1. - s) * phi(i, j + 1) + s * phi(i + 1, j + 1));
+    }
+
+    /// Has the contour gone on by more than a cell anywhere since its pieces were found? What phi
+    /// is at a piece's place now tells by how much, phi = tanh(distance/(sqrt(2) W)); where it is
+    /// 1 or -1 to a thousandth, and so says only that it is far, it has.
+    template <class T>
+    bool has_moved_on(const Extension &extension, const Field<T> &phi, const Mesh &mesh)
+    {
+      constexpr double full = 0.999;
+      const double cell = mesh.spacing.maxCoeff(), far = std::sqrt(2.) * extension.front_width;
+      const double most = std::min(full, std::tanh(cell / far));
+      const auto &pieces = extension.distance.pieces;
+      const Point upper = mesh.position(mesh.nodes[0] - 1, mesh.nodes[1] - 1);
+      const auto within = [&](const ContourPiece &piece) // no image beyond a periodic side
+      {
+        return piece.x >= mesh.lower[0] && piece.x <= upper[0] && piece.y >= mesh.lower[1] &&
+               piece.y <= upper[1];
+      };
+      return std::any_of(pieces.begin(), pieces.end(),
+                         [&](const ContourPiece &piece) {
+                           return within(piece) &&
+                                  std::abs(interpolated(phi, piece.x, piece.y, mesh)) > most;
+                         });
     }
   } // namespace
 
@@ -181,49 +218,28 @@ namespace medium
                           const Mesh &mesh)
   {
     const bool rebuild = extension.calls++ % extension.map_interval == 0;
-    measure_distance(extension, phi, mesh, rebuild);
+    if (rebuild || ++extension.since_measured >= extension.interval ||
+        has_moved_on(extension, phi, mesh))
+      measure_distance(extension, phi, mesh, rebuild);
     if (rebuild)
       build_map(extension, mesh);
     extension.at_pieces =
         write(extension, fields, {material, extension.depth, Approach::linear}, mesh);
   }
 
+  void fit_at_pieces(Extension &extension, const std::vector<Field<double> *> &fields,
+                     const Field<unsigned char> &material, const Mesh &mesh)
+  {
+    extension.at_pieces = piece_values(extension.distance, fields,
+                                       {material, extension.depth, Approach::linear}, mesh);
+  }
+
   void extend_inherited(Extension &extension, const std::vector<Field<double> *> &fields,
                         const Mesh &mesh)
   {
     if (extension.distance.pieces.empty() || extension.mapped_pieces.empty())
-      throw std::logic_error("extend_remembered was called before extend_into_liquid");
+      throw std::logic_error("extend_inherited was called before extend_into_liquid");
     write(extension, fields, {Field<unsigned char>{}, 0., Approach::level}, mesh);
-  }
-
-  std::vector<double> pack(const Extension &extension, const Mesh &mesh)
-  {
-    std::vector<double> state{static_cast<double>(extension.calls)};
-    if (extension.calls == 0)
-      return state;
-    for (int j = 0; j < mesh.nodes[1]; ++j)
-      state.insert(state.end(), extension.nearest_piece.row(j),
-                   extension.nearest_piece.row(j) + mesh.nodes[0]);
-    for (const Point &place : extension.mapped_pieces)
-      state.insert(state.end(), {place[0], place[1]});
-    return state;
-  }
-
-  void unpack(Extension &extension, const Mesh &mesh, const std::vector<double> &state)
-  {
-    extension.calls = static_cast<long>(state.at(0));
-    extension.mapped_pieces.clear();
-    if (extension.calls == 0)
-      return;
-    const std::size_t places = 1 + static_cast<std::size_t>(mesh.nodes[0]) * mesh.nodes[1];
-    if (state.size() < places || (state.size() - places) % 2 != 0)
-      throw std::runtime_error("the checkpoint's extension is that of another mesh");
-    auto next = state.begin() + 1;
-    for (int j = 0; j < mesh.nodes[1]; ++j)
-      for (int i = 0; i < mesh.nodes[0]; ++i)
-        extension.nearest_piece(i, j) = static_cast<int>(*next++);
-    for (; next != state.end(); next += 2)
-      extension.mapped_pieces.emplace_back(next[0], next[1]);
   }
 
   template void extend_into_liquid(Extension &, const std::vector<Field<double> *> &,

@@ -9,8 +9,10 @@
 // takes the value at its closest point, piece value + tangential slope x offset: exact for uniform
 // fields, second order for smooth ones. A node inside the contour without enough material is filled
 // with the whole line. Beyond the band a node takes the value of the (nearly) nearest piece, whose
-// map is rebuilt only now and then. Across the medial axis between two arms the extension
-// jumps; that is inherent.
+// map is rebuilt only now and then, every map_interval-th call. The distance is measured at every
+// call, or at every interval-th; in between the values are those of the solid where the contour
+// was, first order in the way that it has gone since. Across the medial axis between two arms the
+// extension jumps; that is inherent.
 //
 // The paper's way, q_tau + n . grad q = 0 marched to rest in the band (Ref. [13]), is the choice
 // `pde`; it is first order and needs some three sweeps per cell of the band.
@@ -30,10 +32,13 @@ namespace medium
 
     scene::ExtensionMethod method;
     double front_width;
-    double depth; // length below the contour from which a node counts as solid: half a cell
-    int map_interval = 20; // calls from one update of the whole mesh (map beyond the band, new
-                           // grains of the contour) to the next; in between the contour is followed
-    long calls = 0;        // since the map was to be rebuilt
+    double depth;     // length below the contour from which a node counts as solid: half a cell
+    int interval;     // calls from one measurement of the distance to the next, at most: where the
+                      // contour has moved on by a cell, it is measured before
+    int map_interval; // calls from one update of the whole mesh (map beyond the band, new grains of
+                      // the contour) to the next; in between the contour is followed
+    long calls = 0;   // since the map was to be rebuilt
+    int since_measured = 0; // calls since the distance was measured
     Distance distance;
     Field<int> nearest_piece;         // at every node: the map, numbered as when it was built
     std::vector<Point> mapped_pieces; // places of the pieces then
@@ -48,10 +53,15 @@ namespace medium
   /// node has mass enough, else 0; an empty field means everywhere. Where no node at all is solid
   /// the fields become 0. A piece without solid nodes around (a grain that has no material) takes
   /// the value of the nearest piece that has. Between two calls the contour must not move by more
-  /// than follow_cells.
+  /// than two cells (with the one that it may have moved before, follow_cells).
   template <class T>
   void extend_into_liquid(Extension &, const std::vector<Field<double> *> &fields,
                           const Field<T> &phi, const Field<unsigned char> &material, const Mesh &);
+
+  /// What the solid knows of other fields at the contour that the last extend_into_liquid followed,
+  /// in its place in `at_pieces`; no field is changed. `material` as there.
+  void fit_at_pieces(Extension &, const std::vector<Field<double> *> &fields,
+                     const Field<unsigned char> &material, const Mesh &);
 
   /// The same for what the solid remembers and new solid inherits, the crystal angle: every node
   /// with phi > 0 keeps its own, the liquid takes the value at the front, reached without slope
@@ -72,4 +82,7 @@ namespace medium
   /// std::runtime_error if the numbers are of another mesh.
   std::vector<double> pack(const Extension &, const Mesh &);
   void unpack(Extension &, const Mesh &, const std::vector<double> &);
+  /// The same of a distance that is older than the present contour, as with an interval above 1.
+  std::vector<double> pack_distance(const Extension &, const Mesh &);
+  void unpack_distance(Extension &, const Mesh &, const std::vector<double> &);
 } // namespace medium

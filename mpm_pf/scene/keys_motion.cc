@@ -53,6 +53,15 @@ namespace scene
                "Cells that the motion may cross per step and axis; beyond 0.5 only cip_hermite is "
                "stable.",
                "the paper's; accuracy hardly depends on it")
+          .add("interval", &Advection::interval, between(1, 1000),
+               "Coupling steps from one advection to the next. In between the way of every node "
+               "adds up, and phi, theta and the angle lag behind the material by it. They are "
+               "carried sooner where one more step would take the way beyond 0.9 of what the "
+               "scheme can bear (0.45 cells, 0.9 with cip_hermite), where a probe is sampled, and "
+               "at the end.",
+               "the fields are where the material is; where the coupling step is shorter than "
+               "the motion asks for (growth, clock.step) fewer advections cost less and smear "
+               "less")
           .add("analytic_gradients", &Advection::analytic_gradients, any(),
                "Start CIP's gradient fields from the exact profile.",
                "differences would spend the third order on the first step")
@@ -68,6 +77,17 @@ namespace scene
                "Width of the band along the front in cells. Melt beyond it moves as the piece of "
                "front nearest to it. Cells cut by the front and their neighbours need a distance.",
                "wider than the diffuse interface")
+          .add("interval", &Extension::interval, between(1, 1000),
+               "Extensions (one a coupling step) from one measurement of the distance to the next; "
+               "it is measured sooner where the front has moved on by a cell, and with every map. "
+               "In between the melt takes the velocity of the solid where the front was.",
+               "the distance is that of the present front")
+          .add("map_interval", &Extension::map_interval, between(1, 1000),
+               "Extensions from one search of the whole mesh to the next: which piece of the front "
+               "is nearest beyond the band, and pieces that have appeared away from the front; in "
+               "between the front is followed.",
+               "beyond the band the nearest piece changes slowly, and the map numbers pieces that "
+               "still move with the front")
           .optional();
     }
   } // namespace

@@ -73,6 +73,7 @@ namespace scene
   {
     AdvectionScheme scheme = AdvectionScheme::cip;
     double step_fraction = 0.2;
+    int interval = 1; // coupling steps from one advection to the next
     bool analytic_gradients = true;
     SourceLocation place;
   };
@@ -85,6 +86,8 @@ namespace scene
   {
     ExtensionMethod method = ExtensionMethod::closest_point;
     double band = 12.;
+    int interval = 1;      // extensions from one measurement of the distance to the next
+    int map_interval = 20; // and from one update of the whole mesh to the next
     SourceLocation place;
   };
 } // namespace scene

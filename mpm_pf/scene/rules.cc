@@ -78,6 +78,8 @@ namespace scene
           {"Supports and tractions are of bodies that stand at the start, not of what grows.",
            loads_do_not_grow},
           {"Heat beside a solid is carried by it, which takes a phase field.", heat_is_carried},
+          {"The distance's interval is no longer than that of its map.",
+           distance_is_measured_between_maps},
           // Expressions
           {"An expression is a finite number wherever and whenever it is used.",
            expressions_are_finite},

@@ -42,6 +42,7 @@ namespace scene
   void noise_respects_symmetry(const Inspection &);
   void crystal_fits_symmetry(const Inspection &);
   void heat_is_carried(const Inspection &);
+  void distance_is_measured_between_maps(const Inspection &);
   void loads_do_not_grow(const Inspection &);
 
   // rules_probes.cc

@@ -226,6 +226,19 @@ namespace scene
                  "a multiple of 45 degrees, or the whole crystal", "grow the whole crystal");
   }
 
+  void distance_is_measured_between_maps(const Inspection &in)
+  {
+    if (!in.written("extension", "interval") || !sound(in, "extension"))
+      return;
+    const Extension &extension = *in.scene().extension;
+    if (extension.interval > extension.map_interval)
+      in.add_error(in.at("extension", "interval"),
+                   "read " + std::to_string(extension.interval) +
+                       ", but the distance is measured with every map, every " +
+                       std::to_string(extension.map_interval) + " extensions",
+                   "at most map_interval", "lower interval, or raise map_interval");
+  }
+
   void heat_is_carried(const Inspection &in)
   {
     if (in.scene().solid && in.scene().heat && !in.present("phase_field"))

@@ -93,10 +93,10 @@ class Pictures(unittest.TestCase):
 
     def test_a_refused_row_is_drawn_and_says_why(self):
         good = {**ROW, "errors": {"tip, relative": 0.1}}
-        refused = {**ROW, "family": "no such key", "status": "bad input", "why": ["no key advection.interval"], "errors": {"tip, relative": None}}
+        refused = {**ROW, "family": "no such key", "status": "bad input", "why": ["no key advection.every"], "errors": {"tip, relative": None}}
         page = report_trade.page({**TRADE, "rows": [good, refused]})
         self.assertIn("no such key: as in the scene; error no answer: bad input", page)
-        self.assertIn('<td title="no key advection.interval">bad input</td>', page)
+        self.assertIn('<td title="no key advection.every">bad input</td>', page)
 
     def test_an_edge_is_held_against_theory_and_its_cells_are_commands(self):
         edge = {**MAP["edges"][0], "theory": 6e12, "ratio": 1.0833}

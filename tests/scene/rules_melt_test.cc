@@ -51,6 +51,13 @@ namespace
        "nothing is carried"},
       {"extension_without_solid", plus(seed, "[extension]\nband = 3\n"), "[extension]",
        "no use without [solid]"},
+      {"advections_at_no_interval",
+       plus(seed, "[imposed]\nvelocity = [1, 0]\n[advection]\ninterval = 0\n"), "interval",
+       "at least 1"},
+      {"distance_older_than_its_map",
+       plus(seed, "[solid]\nyoung_modulus = 1\npoisson_ratio = 0\ndensity = 1\n"
+                  "[extension]\ninterval = 30\n"),
+       "interval", "every 20 extensions"},
       {"undercooling_without_limit", with(seed, "undercooling = 0.55", "undercooling = 1.2"),
        "undercooling", "nothing limits"},
       {"timed_temperature",

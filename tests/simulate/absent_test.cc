@@ -100,8 +100,9 @@ namespace
 TEST(Absent, MeltCostsASolidNothing)
 {
   const Moved it(head + block);
-  for (const char *module : {"phase field", "heat", "orientation", "growth", "velocity",
-                             "advection", "extension", "noise", "walls", "imposed motion"})
+  for (const char *module :
+       {"phase field", "heat", "orientation", "growth", "velocity", "advection", "mean velocity",
+        "extension", "noise", "walls", "imposed motion"})
     EXPECT_EQ(it.bytes(module), 0.) << module;
   for (const char *module : {"growth", "heat", "advection", "extension", "distance", "seeding",
                              "walls", "imposed motion"})
@@ -138,8 +139,9 @@ TEST(Absent, HeatCostsAMarkerNothing)
   const Moved it(head + marker + "[imposed]\nvelocity = [\"0.1\", \"0\"]\n");
   for (const char *module : {"heat", "growth", "solid", "orientation"})
     EXPECT_EQ(it.bytes(module), 0.) << module;
-  for (const char *module : {"growth", "heat", "walls", "points"})
+  for (const char *module : {"growth", "heat", "walls", "points", "mean velocity"})
     EXPECT_EQ(it.calls(module), 0) << module;
+  EXPECT_EQ(it.bytes("mean velocity"), 0.) << "advection.interval is 1";
   EXPECT_FALSE(it.has_column("theta_mean"));
   EXPECT_FALSE(it.has_column("active_tiles"));
   EXPECT_FALSE(it.has_column("carried_phase"));
@@ -168,6 +170,10 @@ TEST(Absent, WhatIsThereIsCounted)
   EXPECT_GT(it.bytes("walls"), 0.);
   EXPECT_EQ(it.calls("walls"), 3);
   EXPECT_GT(Moved(head + marker + pushed).bytes("imposed motion"), 0.);
+  const Moved third(head + marker + pushed + "[advection]\ninterval = 3\n");
+  EXPECT_GT(third.bytes("mean velocity"), 2. * 8. * 33. * 33.);
+  EXPECT_EQ(third.calls("mean velocity"), 3);
+  EXPECT_EQ(third.calls("advection"), 1);
   const Moved coupled(head + growth + block);
   EXPECT_GT(coupled.bytes("extension"), 0.);
   EXPECT_EQ(coupled.calls("extension"), 3);
