@@ -57,7 +57,7 @@ namespace
       if (first)
         std::cerr << "fe_reference: " << error.what() << "\nrepeat with: " << parsed.command->joined
                   << '\n';
-      return record::numerical_trouble;
+      return error.exit_code;
     }
     catch (const std::exception &error)
     {

@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <thread>
 
+#include "record/cannot_write.h"
+
 namespace fe
 {
   void sum_over_processes(std::vector<double> &values)
@@ -31,17 +33,27 @@ namespace fe
   void on_first_process(const std::function<void()> &work)
   {
     std::string failure;
+    double kind = 0.; // of the failure: 0 none, 2 one of writing
     if (process_number() == 0)
       try
       {
         work();
       }
+      catch (const record::CannotWrite &error)
+      {
+        kind = 2., failure = error.what();
+      }
       catch (const std::exception &error)
       {
-        failure = *error.what() ? error.what() : "unknown trouble";
+        kind = 1., failure = *error.what() ? error.what() : "unknown trouble";
       }
-    if (sum_over_processes(failure.empty() ? 0. : 1.) > 0.)
-      throw std::runtime_error(failure.empty() ? "process 0 is in trouble" : failure);
+    kind = sum_over_processes(kind); // the others have none
+    if (failure.empty())
+      failure = "process 0 is in trouble";
+    if (kind > 1.)
+      throw record::CannotWrite(failure);
+    if (kind > 0.)
+      throw std::runtime_error(failure);
   }
 
   void abort_all_processes(const std::string &what, const int exit_code)

@@ -13,11 +13,12 @@ namespace fe
   double minimum_over_processes(double);
 
   /// What process 0 does alone while the others wait, such as writing. If it throws, all throw
-  /// std::runtime_error, process 0 with the same text. Every process must call it.
+  /// std::runtime_error (record::CannotWrite if it did), process 0 with the same text. Every
+  /// process must call it.
   void on_first_process(const std::function<void()> &work);
 
-  /// After a failure: waits until all processes have one, 20 s at most, since one that goes its own way
-  /// leaves the others waiting for it for ever. After that it says `what` and ends them all.
+  /// After a failure: waits until all processes have one, 20 s at most, since one that goes its own
+  /// way leaves the others waiting for it for ever. After that it says `what` and ends them all.
   void abort_all_processes(const std::string &what, int exit_code);
 
   int process_number(); // 0 is the one that reads, writes and speaks

@@ -12,6 +12,7 @@
 #include "memory.h"
 #include "observer.h"
 #include "plan.h"
+#include "record/cannot_write.h"
 #include "record/progress.h"
 #include "record/run_cost.h"
 #include "scene/value.h"
@@ -177,6 +178,11 @@ namespace fe
 
   namespace
   {
+    int exit_code_of(const std::exception &error)
+    {
+      return record::is_of_writing(error) ? record::not_written : record::numerical_trouble;
+    }
+
     // From the start or from what was saved.
     Outcome run_together(const scene::Scene &scene, const Problem &problem, LinearSystem &system,
                          const SteppingOptions &options, std::optional<SavedState> saved)
@@ -189,7 +195,7 @@ namespace fe
       }
       catch (const std::exception &error) // here, since the processes part together with `system`
       {
-        abort_all_processes(error.what(), record::numerical_trouble);
+        abort_all_processes(error.what(), exit_code_of(error));
         throw;
       }
     }
@@ -278,7 +284,7 @@ namespace fe
     {
       if (!under_way)
         throw;
-      throw Stopped(error.what());
+      throw Stopped(error.what(), exit_code_of(error));
     }
   }
 } // namespace fe

@@ -11,7 +11,11 @@ namespace fe
 {
   struct Stopped : std::runtime_error
   {
-    using std::runtime_error::runtime_error;
+    explicit Stopped(const std::string &what, const int exit_code = record::numerical_trouble)
+        : std::runtime_error(what), exit_code(exit_code)
+    {
+    }
+    int exit_code;
   };
 
   /// Print what a run would take and stop. Throws Stopped if its first steps met trouble.

@@ -8,6 +8,7 @@
 
 #include "medium/numerical_error.h"
 #include "plan.h"
+#include "record/cannot_write.h"
 #include "record/command_line.h"
 #include "record/outline_source.h"
 #include "record/wait_policy.h"
@@ -70,6 +71,11 @@ int main(int argc, char **argv)
   {
     std::cerr << "mpm_pf: " << error.what() << "\nrepeat with: " << parsed.command->joined << '\n';
     return record::numerical_trouble;
+  }
+  catch (const record::CannotWrite &error) // before the first step
+  {
+    std::cerr << "mpm_pf: " << error.what() << "\nrepeat with: " << parsed.command->joined << '\n';
+    return record::not_written;
   }
   catch (const std::exception &error)
   {

@@ -17,6 +17,7 @@
 #include "plan.h"
 #include "quadrature.h"
 #include "ramps.h"
+#include "record/cannot_write.h"
 #include "record/checkpoint.h"
 #include "record/progress.h"
 #include "record/run_cost.h"
@@ -58,7 +59,7 @@ namespace
     int march(const std::function<bool()> &stop_asked);
     void rerun_to_last_good_step(const std::function<bool()> &stop_asked);
     int fail(const std::string &what, const std::function<bool()> &stop_asked);
-    int abandon(const std::string &what);
+    int abandon(const std::string &what, int exit_code);
     int complete();
     record::Profile profile();
     void forget_checkpoint() const
@@ -200,7 +201,7 @@ namespace
   }
 
   /// Stopped by what the scene is not to blame for: a full disk, a file that cannot be written.
-  int Session::abandon(const std::string &what)
+  int Session::abandon(const std::string &what, const int exit_code)
   {
     progress->finish("stopped");
     std::ostringstream text;
@@ -222,7 +223,7 @@ namespace
     {
       // Where nothing can be written, what was said above is all.
     }
-    return record::numerical_trouble;
+    return exit_code;
   }
 
   int Session::complete()
@@ -276,7 +277,8 @@ namespace
     }
     catch (const std::exception &error)
     {
-      return abandon(error.what());
+      return abandon(error.what(), record::is_of_writing(error) ? record::not_written
+                                                                : record::numerical_trouble);
     }
   }
 } // namespace

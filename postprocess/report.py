@@ -28,6 +28,7 @@ MEANING = {
     3: "a run diverged or ran out of time",
     4: "a reference is missing",
     5: "drift only",
+    6: "a record could not be written",
     130: "interrupted",
 }
 

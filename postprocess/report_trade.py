@@ -13,7 +13,7 @@ from pathlib import Path
 from svgplot import COLOURS, Plot, standalone
 from written import Unusable, folder_of, program, read_json
 
-LOST = ("diverged", "timed out", "failed", "bad input")  # runs that gave no answer
+LOST = ("diverged", "timed out", "failed", "bad input", "not written")  # runs that gave no answer
 
 
 def pareto_front(rows):

@@ -57,8 +57,8 @@ namespace verify
   Campaign run_campaign(const CampaignOptions &, const Paths &);
 
   /// 0 all right, 1 a comparison failed or a run without its program is held against nothing, 2 a
-  /// run found its input bad, 3 diverged or out of time, 4 reference missing, 5 drift only, 130
-  /// interrupted.
+  /// run found its input bad, 3 diverged or out of time, 4 reference missing, 5 drift only, 6 a
+  /// record could not be written, 130 interrupted.
   int exit_code(const std::vector<CaseResult> &);
 
   /// The command that repeats one run or one case.

@@ -18,7 +18,7 @@ namespace verify
   int exit_code(const std::vector<CaseResult> &cases)
   {
     bool failed = false, missing = false, no_reference = false, drifted = false, bad_input = false,
-         diverged = false, broken = false;
+         diverged = false, broken = false, unwritten = false;
     for (const auto &result : cases)
     {
       for (const auto &verdict : result.verdicts)
@@ -35,11 +35,14 @@ namespace verify
         bad_input |= outcome.status == "bad input";
         diverged |= outcome.status == "diverged" || outcome.status == "timed out";
         broken |= outcome.status == "failed";
+        unwritten |= outcome.status == "not written";
       }
     }
     // a comparison that was made and failed says more than a run that gave nothing to compare
-    if (failed || (missing && !bad_input && !diverged) || broken)
+    if (failed || (missing && !bad_input && !diverged && !unwritten) || broken)
       return record::comparison_failed;
+    if (unwritten)
+      return record::not_written;
     if (bad_input || diverged)
       return bad_input ? record::bad_input : record::numerical_trouble;
     return no_reference ? record::reference_missing

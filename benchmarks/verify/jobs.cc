@@ -33,6 +33,7 @@ namespace verify
         return job.expect_exit == 0 ? "complete" : "as expected";
       return ended.exit_code == record::bad_input           ? "bad input"
              : ended.exit_code == record::numerical_trouble ? "diverged"
+             : ended.exit_code == record::not_written       ? "not written"
                                                             : "failed";
     }
 
@@ -93,6 +94,8 @@ namespace verify
       const bool longer = job.command.time_limit_s > state.value("time_limit_s", 0.);
       if (outcome.status == "interrupted" || (outcome.status == "timed out" && longer))
         return {};
+      if (outcome.status == "not written")
+        return {}; // there may be room by now; it says nothing of the settings
       if (outcome.status == "complete" && job.keep_record && job.makes_record &&
           !holds_its_record(job, state))
         return {};
@@ -116,7 +119,8 @@ namespace verify
       spent.wall_s = state.value("wall_s", 0.);
       spent.cpu_s = state.value("cpu_s", 0.);
       spent.peak_rss_bytes = state.value("peak_rss_bytes", 0.);
-      const bool stopped = spent.status == "timed out" || spent.status == "interrupted";
+      const bool stopped = spent.status == "timed out" || spent.status == "interrupted" ||
+                           spent.status == "not written";
       return stopped ? std::optional<Outcome>(spent) : std::nullopt;
     }
 

@@ -31,8 +31,8 @@ namespace verify
 
   struct Outcome
   {
-    std::string status; // complete, as expected, bad input, diverged, timed out, failed,
-                        // interrupted, no program
+    std::string status; // complete, as expected, bad input, diverged, timed out, failed, not
+                        // written (no room for its record), interrupted, no program
     int exit_code = 0;
     double wall_s = 0., cpu_s = 0., peak_rss_bytes = 0.;
     bool reused = false;

@@ -182,7 +182,7 @@ int main(int argc, char **argv)
       "Runs the cases of benchmarks/, compares the records with their references, reports.\n"
       "Exit codes: 0 all right, 1 a comparison failed, 2 bad input, 3 numerical trouble or out of "
       "time,\n"
-      "4 reference missing, 5 drift only, 130 interrupted.",
+      "4 reference missing, 5 drift only, 6 a file could not be written, 130 interrupted.",
       "verify");
   Arguments arguments;
   app.add_option("--cases", arguments.cases, "folder of the case folders (default: benchmarks)");
@@ -215,7 +215,7 @@ int main(int argc, char **argv)
   {
     fmt::print(stderr, "verify: {}: {}; choose a folder that can be read and written\n",
                error.path1().string(), error.code().message());
-    return record::bad_input;
+    return error.code() == std::errc::no_space_on_device ? record::not_written : record::bad_input;
   }
   catch (const std::exception &error)
   {

@@ -21,6 +21,7 @@ namespace verify
     constexpr double short_run_s = 1.; // below it one run says little: one warm-up, median of three
     constexpr int repetitions = 3;
     const std::string bad_input = "bad input"; // status of a run whose solver refused its settings
+    const std::string not_written = "not written"; // and of one that found no room for its record
 
     struct Cost
     {
@@ -177,7 +178,7 @@ namespace verify
         const std::size_t i = first + r;
         Json row = row_to_json(trade.rows[r], jobs[i], outcomes[i], costs[i]);
         row["why"] = Json::array();
-        if (outcomes[i].status == bad_input)
+        if (outcomes[i].status == bad_input || outcomes[i].status == not_written)
           row["why"].push_back(outcomes[i].log_tail);
         row["errors"] = errors_of(trade, trade.rows[r], records, result["reference"]["uncertainty"],
                                   row["why"]);
@@ -200,8 +201,8 @@ namespace verify
       }
     }
 
-    /// 2 if a row was refused, for nobody wants to trade what does not exist; 1 if there is a
-    /// measure in which no row has an error.
+    /// 6 if a run could not write; 2 if a row was refused, for nobody wants to trade what does not
+    /// exist; 1 if there is a measure in which no row has an error.
     int usable(const Json &result)
     {
       int code = 0;
@@ -210,7 +211,13 @@ namespace verify
         {
           fmt::print("a row of `{}` was refused:\n{}\n", row["family"].get<std::string>(),
                      row["why"].front().get<std::string>());
-          code = 2;
+          code = std::max(code, 2);
+        }
+        else if (row["status"] == not_written)
+        {
+          fmt::print("a row of `{}` could not be written:\n{}\n", row["family"].get<std::string>(),
+                     row["why"].front().get<std::string>());
+          code = record::not_written;
         }
       for (const std::string measure : result["measures"])
       {

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "record/cannot_write.h"
 #include "record/hdf5_file.h"
 
 namespace record
@@ -71,14 +72,35 @@ namespace record
     hdf5::Handle file, numbers;
   };
 
+  namespace
+  {
+    /// Work on the checkpoint's file whose failure is one of writing.
+    template <class Work>
+    void writing(const std::string &part, const Work &work)
+    {
+      try
+      {
+        work();
+      }
+      catch (const std::runtime_error &error)
+      {
+        throw CannotWrite(hdf5::cannot_write(part, error.what()));
+      }
+    }
+  } // namespace
+
   CheckpointFile::CheckpointFile(const std::string &path, const scene::Scene &scene) : path(path)
   {
-    hdf5::Handle part = hdf5::open_file(path + ".part", hdf5::Mode::create);
-    hdf5::set_attribute(part, "format", std::string(format));
-    hdf5::set_attribute(part, "scene_hash", scene.hash);
-    hdf5::open_group(part, "arrays", true);
-    hdf5::Handle numbers = hdf5::open_group(part, "numbers", true);
-    file = std::make_unique<File>(File{std::move(part), std::move(numbers)});
+    writing(path + ".part",
+            [&]
+            {
+              hdf5::Handle part = hdf5::open_file(path + ".part", hdf5::Mode::create);
+              hdf5::set_attribute(part, "format", std::string(format));
+              hdf5::set_attribute(part, "scene_hash", scene.hash);
+              hdf5::open_group(part, "arrays", true);
+              hdf5::Handle numbers = hdf5::open_group(part, "numbers", true);
+              file = std::make_unique<File>(File{std::move(part), std::move(numbers)});
+            });
   }
 
   CheckpointFile::~CheckpointFile()
@@ -93,25 +115,23 @@ namespace record
   void CheckpointFile::put(const std::string &name, const Array values)
   {
     const std::string dataset = "arrays/" + name;
-    try
-    {
-      hdf5::open_group(file->file, dataset.substr(0, dataset.rfind('/')), true);
-      std::visit([&](const auto &of_type) { hdf5::write(file->file, dataset, of_type); }, values);
-    }
-    catch (const std::runtime_error &error)
-    {
-      throw std::runtime_error(hdf5::cannot_write(path + ".part", error.what()));
-    }
+    writing(path + ".part",
+            [&]
+            {
+              hdf5::open_group(file->file, dataset.substr(0, dataset.rfind('/')), true);
+              std::visit([&](const auto &of_type) { hdf5::write(file->file, dataset, of_type); },
+                         values);
+            });
   }
 
   void CheckpointFile::put(const std::string &name, const double number)
   {
-    hdf5::set_attribute(file->numbers, name, number);
+    writing(path + ".part", [&] { hdf5::set_attribute(file->numbers, name, number); });
   }
 
   void CheckpointFile::finish()
   {
-    file->numbers.close("numbers");
+    writing(path + ".part", [&] { file->numbers.close("numbers"); });
     hdf5::write_file(std::move(file->file), path + ".part", [](hid_t) {});
     file.reset();
     std::filesystem::rename(path + ".part", path);

@@ -34,7 +34,7 @@ namespace record
   class CheckpointFile : public CheckpointTarget
   {
   public:
-    /// Opens <path>.part. Throws std::runtime_error if it cannot be written.
+    /// Opens <path>.part. Throws CannotWrite if it cannot be written, as do all that follow.
     CheckpointFile(const std::string &path, const scene::Scene &);
     ~CheckpointFile() override;
     void put(const std::string &name, Array values) override;

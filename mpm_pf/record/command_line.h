@@ -20,6 +20,7 @@ namespace record
     numerical_trouble = 3,
     reference_missing = 4,
     drift_only = 5,
+    not_written = 6, // a full disk and the like: neither the scene nor its numbers are to blame
     interrupted = 130
   };
 

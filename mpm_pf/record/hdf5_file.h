@@ -48,8 +48,8 @@ namespace record::hdf5
   Handle open_file(const std::string &path, Mode);
   /// The same of what an interrupted run left: the error says how to begin anew.
   Handle open_to_resume(const std::string &path, Mode);
-  /// Let `write` write into the file opened from `path`, and close it. Throws std::runtime_error
-  /// naming the path if not all of it got there; the file on disk is then broken.
+  /// Let `write` write into the file opened from `path`, and close it. Throws CannotWrite naming
+  /// the path if not all of it got there; the file on disk is then broken.
   void write_file(Handle, const std::string &path, const std::function<void(hid_t file)> &write);
   std::string cannot_write(const std::string &path, const std::string &why); // what it throws
 

@@ -3,6 +3,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "record/cannot_write.h"
+
 namespace record::hdf5
 {
   namespace
@@ -12,7 +14,8 @@ namespace record::hdf5
     /// before anything else, and opened before MPI is, whose end would tidy up as well.
     [[maybe_unused]] const herr_t no_tidying_up = H5dont_atexit() < 0 ? -1 : H5open();
 
-    /// HDF5's own words about its last failure: the innermost entry of its error stack.
+    /// HDF5's own words about its last failure: the innermost entry of its error stack, or what the
+    /// system said, if that is in it ("No space left on device").
     std::string last_reason()
     {
       std::string reason = "HDF5 gives no reason";
@@ -25,7 +28,12 @@ namespace record::hdf5
             return 0;
           },
           &reason);
-      return reason;
+      const std::string before = "error message = '";
+      const auto begin = reason.find(before);
+      const auto end = begin == std::string::npos ? begin : reason.find("'", begin + before.size());
+      return end == std::string::npos
+                 ? reason
+                 : reason.substr(begin + before.size(), end - begin - before.size());
     }
   } // namespace
 
@@ -97,7 +105,7 @@ namespace record::hdf5
     }
     catch (const std::runtime_error &error)
     {
-      throw std::runtime_error(cannot_write(path, error.what()));
+      throw CannotWrite(cannot_write(path, error.what()));
     }
   }
 } // namespace record::hdf5

@@ -5,6 +5,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "record/cannot_write.h"
 #include "record/checkpoint.h"
 #include "record/lock.h"
 #include "record/write_buffer.h"
@@ -111,9 +112,20 @@ namespace record
       hdf5::write_file(std::move(open), part, work);
       broken = false;
     }
-    void write(const std::function<void(hid_t file)> &work)
+    void write(const std::function<void(hid_t file)> &work) { write(reopened(), work); }
+
+  private:
+    /// What is there once the run is under way can be opened, unless somebody has taken it away.
+    hdf5::Handle reopened() const
     {
-      write(hdf5::open_file(part, hdf5::Mode::modify), work);
+      try
+      {
+        return hdf5::open_file(part, hdf5::Mode::modify);
+      }
+      catch (const std::runtime_error &error)
+      {
+        throw CannotWrite(error.what());
+      }
     }
   };
 

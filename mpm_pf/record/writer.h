@@ -115,7 +115,7 @@ namespace record
     /// After this the rows so far survive a kill. Called by itself when much is waiting, and with
     /// every snapshot; never by the clock, so that what a run writes and when is the same on a slow
     /// machine: whoever wants rows to be seen in time calls flush_after(). Throws
-    /// std::runtime_error naming the file (disk full and the like), and so do finish() and all that
+    /// CannotWrite naming the file (disk full and the like), and so do finish() and all that
     /// record; <path>.part is broken then and gets no more.
     void flush();
     /// flush() if nothing has been written for so long, s.

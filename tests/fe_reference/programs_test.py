@@ -211,7 +211,7 @@ class Programs(unittest.TestCase):
         time.sleep(0.2)
         process.send_signal(signal.SIGTERM)
         text = process.communicate(timeout=600)[1]
-        self.assertEqual(process.returncode, 3, text)
+        self.assertEqual(process.returncode, 6, text)
         self.assertIn("repeat with", text)
 
     def test_a_full_disk_is_no_bad_input_and_no_crash(self):
@@ -224,7 +224,7 @@ class Programs(unittest.TestCase):
             time.sleep(0.01)
         resource.prlimit(process.pid, resource.RLIMIT_FSIZE, (60000, 60000))
         text = process.communicate(timeout=600)[1]
-        self.assertEqual(process.returncode, 3, text)
+        self.assertEqual(process.returncode, 6, text)
         self.assertIn("disk full?", text)
         self.assertIn("repeat with", text)
         self.assertFalse(os.path.exists(self.path("full")), "an unfinished record has the final name")
@@ -260,7 +260,7 @@ class Programs(unittest.TestCase):
             text = process.communicate(timeout=600)[1]
         finally:
             process.kill()
-        self.assertEqual(process.returncode, 3, text)
+        self.assertEqual(process.returncode, 6, text)
         self.assertIn("fe_reference.h5.part", text)
 
     def test_a_plan_in_trouble_ends_with_three(self):

@@ -82,7 +82,7 @@ class Programs(unittest.TestCase):
         for part in (0.3, 0.6, 0.9, 0.99):
             output = f"full{part}"
             code, text = self.run_within(self.command(output, 1.0), int(part * size))
-            self.assertEqual(code, 3, f"{part}: {text}")
+            self.assertEqual(code, 6, f"{part}: {text}")
             self.assertRegex(text, "stopped after step [0-9]+ at time ", part)
             self.assertIn("repeat with", text)
             self.assertFalse(os.path.exists(self.path(output, "mpm_pf.h5")), "an unfinished record has the final name")
@@ -101,7 +101,7 @@ class Programs(unittest.TestCase):
         time.sleep(0.2)
         process.send_signal(signal.SIGTERM)
         text = process.communicate(timeout=600)[1]
-        self.assertEqual(process.returncode, 3, text)
+        self.assertEqual(process.returncode, 6, text)
         self.assertIn("stopped after step", text)
         self.assertIn("repeat with", text)
 

@@ -199,7 +199,7 @@ TEST(StoppedRun, IsNoBadInputAndGoesOnWhenTheCauseIsGone)
   std::filesystem::create_directories(obstacle);
   int looks = 0;
   const Ended end = ended(scene, command, [&] { return ++looks > 12; });
-  EXPECT_EQ(end.code, record::numerical_trouble);
+  EXPECT_EQ(end.code, record::not_written);
   EXPECT_TRUE(says(end.said, "stopped after step 12 at time 0.12: cannot write")) << end.said;
   EXPECT_TRUE(says(end.said, "start anew, without --resume")) << end.said;
   const auto reason = record::Reader(command.record_path() + ".part").attribute("stopped_by");

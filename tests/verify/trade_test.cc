@@ -156,6 +156,29 @@ TEST(Tradeoff, TakesWhatElementsCallByAnotherName)
   EXPECT_TRUE(rows[1]["errors"]["q, relative"].is_number());
 }
 
+// A row that found no room is no finding: said, and measured when there is some.
+TEST(Tradeoff, MeasuresARowAgainThatCouldNotBeWritten)
+{
+  const Workspace w;
+  w.write("cases/bar/expect.toml", "title = \"bar\"\n[[run]]\nsolver = \"mpm_pf\"\n");
+  w.write(
+      "cases/bar/tradeoff.toml",
+      "[[quantity]]\nname = \"q\"\ntake = {number = \"largest\"}\nagainst = {number = 1}\n"
+      "norms = [\"relative\"]\n[[family]]\nname = \"f\"\nlists = {\"fake.exit\" = [0, 3, 6]}\n");
+  for (int time = 0; time < 2; ++time)
+  {
+    testing::internal::CaptureStdout();
+    EXPECT_EQ(tradeoff(w.paths(), "bar", w.options()), 6);
+    const std::string said = testing::internal::GetCapturedStdout();
+    EXPECT_NE(said.find("a row of `f` could not be written:\nfake trouble of kind 6"),
+              std::string::npos)
+        << said;
+    const auto rows = nlohmann::json::parse(w.read("results/tradeoff/bar.json"))["rows"];
+    EXPECT_EQ(rows[1]["status"], "diverged");
+    EXPECT_EQ(rows[2]["status"], "not written");
+  }
+}
+
 TEST(Advice, CallsTheErrorOfALoneReferenceUnknown)
 {
   const Workspace w;

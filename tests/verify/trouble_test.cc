@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "commands.h"
+#include "record/command_line.h"
 #include "section.h"
 #include "stability_cells.h"
 #include "workspace.h"
@@ -60,6 +61,25 @@ TEST(Campaign, TellsTroubleAndTimeLimitOfARunThatMetBoth)
   for (const char *said : {"its time limit of 0.2 s", "fake trouble, going back"})
     EXPECT_NE(outcome.log_tail.find(said), std::string::npos) << outcome.log_tail;
   EXPECT_EQ(outcome.log_tail.find("a banner"), std::string::npos) << outcome.log_tail;
+}
+
+// A disk that was full says nothing of the numbers, and may have room again.
+TEST(Campaign, TakesARunThatCouldNotWriteForNoneThatDiverged)
+{
+  const Workspace w;
+  const std::string full = "[[run]]\nsolver = \"mpm_pf\"\nset = [\"fake.exit=6\"]\n";
+  for (int time = 0; time < 2; ++time)
+  {
+    const auto campaign = w.run(full);
+    EXPECT_EQ(campaign.exit_code, record::not_written);
+    const Outcome &outcome = campaign.cases[0].outcomes[0];
+    EXPECT_EQ(outcome.status, "not written");
+    EXPECT_FALSE(outcome.reused);
+    EXPECT_NE(outcome.log_tail.find("fake trouble of kind 6"), std::string::npos);
+  }
+  const auto and_another =
+      w.run(full + "name = \"full\"\n[[run]]\nsolver = \"mpm_pf\"\nset = [\"fake.exit=3\"]\n");
+  EXPECT_EQ(and_another.exit_code, record::not_written) << "room first, then the numbers";
 }
 
 TEST(Campaign, SurvivesALogOfAnyBytes)
