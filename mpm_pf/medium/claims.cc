@@ -13,25 +13,25 @@ namespace medium
     struct Lines
     {
       int row, begin, end;
-      float dy;
+      double dy;
     };
 
     /// They are claimed for piece `index`.
     void claim_row(Claims &claims, const Lines lines, const Strip strip, int index)
     {
       const std::ptrdiff_t start = static_cast<std::ptrdiff_t>(lines.row) * claims.pitch;
-      const float nx = strip.normal_x, ny = strip.normal_y, dy = lines.dy, dy2 = dy * dy;
+      const double nx = strip.normal_x, ny = strip.normal_y, dy = lines.dy, dy2 = dy * dy;
       for (int i = lines.begin; i < lines.end; i += Claims::line)
       {
         int *owner = claims.owner.data() + start + i;
-        float *square = claims.square.data() + start + i, *above = claims.above.data() + start + i,
-              *aside = claims.aside.data() + start + i,
-              *curvature = claims.curvature.data() + start + i;
-        const float first = static_cast<float>(i - strip.x);
+        double *square = claims.square.data() + start + i, *above = claims.above.data() + start + i,
+               *aside = claims.aside.data() + start + i,
+               *curvature = claims.curvature.data() + start + i;
+        const double first = i - strip.x;
 #pragma omp simd
         for (int n = 0; n < Claims::line; ++n)
         {
-          const float dx = first + static_cast<float>(n), offered = dx * dx + dy2;
+          const double dx = first + static_cast<double>(n), offered = dx * dx + dy2;
           const bool nearer = offered < square[n];
           square[n] = nearer ? offered : square[n];
           owner[n] = nearer ? index : owner[n];
@@ -42,10 +42,10 @@ namespace medium
       }
     }
 
-    float inverse(double x)
+    double inverse(double x)
     {
       constexpr double least = 1e-6;
-      return static_cast<float>(1. / (std::abs(x) > least ? x : x < 0. ? -least : least));
+      return 1. / (std::abs(x) > least ? x : x < 0. ? -least : least);
     }
   } // namespace
 
@@ -61,9 +61,8 @@ namespace medium
       const double curvature = piece.curvature * h,
                    width = 0.9 * gap * (1. + 1.25 * std::abs(curvature) * band);
       strips.push_back({(piece.x - mesh.lower[0]) / h, (piece.y - mesh.lower[1]) / h,
-                        static_cast<float>(piece.normal_x), static_cast<float>(piece.normal_y),
-                        static_cast<float>(curvature), inverse(piece.normal_x),
-                        inverse(piece.normal_y), static_cast<float>(std::min(width, band))});
+                        piece.normal_x, piece.normal_y, curvature, inverse(piece.normal_x),
+                        inverse(piece.normal_y), std::min(width, band)});
     }
     return strips;
   }
@@ -73,7 +72,7 @@ namespace medium
   {
     const auto nodes = static_cast<std::size_t>(pitch) * Tiles::height;
     owner.resize(nodes);
-    for (std::vector<float> *numbers : {&square, &above, &aside, &curvature, &size, &offset})
+    for (std::vector<double> *numbers : {&square, &above, &aside, &curvature, &size, &offset})
       numbers->resize(nodes);
   }
 
@@ -88,7 +87,7 @@ namespace medium
         const std::ptrdiff_t start =
             static_cast<std::ptrdiff_t>(row) * claims.pitch + tiles.first_node(column);
         std::fill_n(claims.owner.data() + start, Tiles::width, -1);
-        std::fill_n(claims.square.data() + start, Tiles::width, std::numeric_limits<float>::max());
+        std::fill_n(claims.square.data() + start, Tiles::width, std::numeric_limits<double>::max());
       }
     }
   }
@@ -97,26 +96,25 @@ namespace medium
              const Mesh &mesh, int tile_row, const Claimants &claimants)
   {
     const double ratio = mesh.spacing[1] / mesh.spacing[0];
-    const float reach = static_cast<float>(distance.band / mesh.spacing[0]);
+    const double reach = distance.band / mesh.spacing[0];
     const int j0 = distance.tiles.first_row(tile_row), j1 = distance.tiles.end_row(tile_row);
     const int last = mesh.nodes[0] - 1;
     for (int k = claimants.begin; k < claimants.end; ++k)
     {
       const Strip strip = strips[static_cast<std::size_t>(k)]; // a copy: nothing written aliases it
-      const float width = claimants.reach == Reach::strips ? strip.width : reach;
-      const float reach_x = std::abs(reach * strip.per_x), width_x = std::abs(width * strip.per_y);
-      const float tall = std::abs(strip.normal_y) * reach + std::abs(strip.normal_x) * width;
+      const double width = claimants.reach == Reach::strips ? strip.width : reach;
+      const double reach_x = std::abs(reach * strip.per_x), width_x = std::abs(width * strip.per_y);
+      const double tall = std::abs(strip.normal_y) * reach + std::abs(strip.normal_x) * width;
       for (int j = j0; j < j1; ++j)
       {
-        const float dy = static_cast<float>(j * ratio - strip.y);
+        const double dy = j * ratio - strip.y;
         if (std::abs(dy) > std::min(tall, reach))
           continue;
         // |dx nx + dy ny| <= reach and |dy nx - dx ny| <= width
-        const float in_reach = -dy * strip.normal_y * strip.per_x,
-                    in_strip = dy * strip.normal_x * strip.per_y;
-        const float x = static_cast<float>(strip.x); // good enough to pick whole lines
-        const float left = x + std::max({in_reach - reach_x, in_strip - width_x, -reach}),
-                    right = x + std::min({in_reach + reach_x, in_strip + width_x, reach});
+        const double in_reach = -dy * strip.normal_y * strip.per_x,
+                     in_strip = dy * strip.normal_x * strip.per_y;
+        const double left = strip.x + std::max({in_reach - reach_x, in_strip - width_x, -reach}),
+                     right = strip.x + std::min({in_reach + reach_x, in_strip + width_x, reach});
         const int i0 = std::max(0, static_cast<int>(left)),
                   i1 = std::min(last, static_cast<int>(right));
         claim_row(claims, {j - j0, i0 / Claims::line * Claims::line, i1 + 1, dy}, strip, k);

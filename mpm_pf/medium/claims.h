@@ -7,8 +7,9 @@
 // may be left out; then the distance jumps from node to node by more than a distance can, and the
 // caller asks again with all nodes in reach.
 //
-// Lengths are in units of spacing[0] throughout. In single precision: 1e-5 of a cell at the end
-// of a wide band, 1e-7 at the contour.
+// Lengths are in units of spacing[0] throughout. In double precision: rounding to 1e-7 of a cell
+// that comes out otherwise at the mirror image of a node is enough for a plastic crystal to lose
+// its symmetry.
 #pragma once
 
 #include <vector>
@@ -23,11 +24,11 @@ namespace medium
   /// A piece seen from the nodes, and the strip in which it claims.
   struct Strip
   {
-    double x, y;              // node number and height over row 0
-    float normal_x, normal_y; // unit, into the solid
-    float curvature;
-    float per_x, per_y; // 1/normal_x, 1/normal_y; large where those vanish
-    float width;        // half-width along the contour
+    double x, y;               // node number and height over row 0
+    double normal_x, normal_y; // unit, into the solid
+    double curvature;
+    double per_x, per_y; // 1/normal_x, 1/normal_y; large where those vanish
+    double width;        // half-width along the contour
   };
 
   /// The strips of all pieces.
@@ -41,13 +42,13 @@ namespace medium
     static constexpr int line = 8; // nodes claimed side by side; a tile is four of them wide
 
     int pitch;
-    std::vector<int> owner;       // piece, -1: none
-    std::vector<float> square;    // squared distance to it
-    std::vector<float> above;     // component along its normal, into the solid
-    std::vector<float> aside;     // component along (-normal_y, normal_x)
-    std::vector<float> curvature; // its curvature
-    std::vector<float> size;      // what comes of it: the distance, unsigned
-    std::vector<float> offset;    // and the place on the contour, from the piece
+    std::vector<int> owner;        // piece, -1: none
+    std::vector<double> square;    // squared distance to it
+    std::vector<double> above;     // component along its normal, into the solid
+    std::vector<double> aside;     // component along (-normal_y, normal_x)
+    std::vector<double> curvature; // its curvature
+    std::vector<double> size;      // what comes of it: the distance, unsigned
+    std::vector<double> offset;    // and the place on the contour, from the piece
   };
 
   enum class Reach

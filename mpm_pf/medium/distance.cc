@@ -47,45 +47,45 @@ namespace medium
 
     /// Distance to the arc of the osculating circle, or to a straight segment where no circle
     /// fits, for one row of a tile from `start` of the scratch. `longest`: the larger spacing.
-    void measure_line(Claims &claims, std::ptrdiff_t start, float reach, float longest)
+    void measure_line(Claims &claims, std::ptrdiff_t start, double reach, double longest)
     {
-      const float *square = claims.square.data() + start, *above = claims.above.data() + start,
-                  *aside = claims.aside.data() + start, *bends = claims.curvature.data() + start;
+      const double *square = claims.square.data() + start, *above = claims.above.data() + start,
+                   *aside = claims.aside.data() + start, *bends = claims.curvature.data() + start;
       const int *owner = claims.owner.data() + start;
-      float *size = claims.size.data() + start, *offset = claims.offset.data() + start;
+      double *size = claims.size.data() + start, *offset = claims.offset.data() + start;
       int misfits = 0;
 #pragma omp simd reduction(+ : misfits)
       for (int n = 0; n < Tiles::width; ++n)
       {
-        const float m = above[n], s = aside[n], curvature = bends[n];
-        const float under = 1.f - 2.f * curvature * m + curvature * curvature * square[n];
-        const float root = std::sqrt(under > 0.0025f ? under : 0.0025f), along = s / root;
-        const float arc = std::abs(2.f * m - curvature * square[n]) / (1.f + root);
+        const double m = above[n], s = aside[n], curvature = bends[n];
+        const double under = 1. - 2. * curvature * m + curvature * curvature * square[n];
+        const double root = std::sqrt(under > 0.0025 ? under : 0.0025), along = s / root;
+        const double arc = std::abs(2. * m - curvature * square[n]) / (1. + root);
         const bool owned = owner[n] >= 0;
-        misfits += owned & ((under <= 0.0025f) | (std::abs(along) > longest)) ? 1 : 0;
+        misfits += owned & ((under <= 0.0025) | (std::abs(along) > longest)) ? 1 : 0;
         size[n] = owned & (arc < reach) ? arc : reach;
         offset[n] = along;
       }
       for (int n = 0; misfits > 0 && n < Tiles::width; ++n)
       {
-        const float m = above[n], s = aside[n], curvature = bends[n];
-        const float under = 1.f - 2.f * curvature * m + curvature * curvature * square[n];
-        if (owner[n] < 0 || (under > 0.0025f && std::abs(offset[n]) <= longest))
+        const double m = above[n], s = aside[n], curvature = bends[n];
+        const double under = 1. - 2. * curvature * m + curvature * curvature * square[n];
+        if (owner[n] < 0 || (under > 0.0025 && std::abs(offset[n]) <= longest))
           continue;
-        offset[n] = std::clamp(s, -0.5f * longest, 0.5f * longest);
+        offset[n] = std::clamp(s, -0.5 * longest, 0.5 * longest);
         size[n] = std::min(reach, std::hypot(s - offset[n], m));
       }
     }
 
     /// Whether distances of neighbours differ by more than their spacing and a quarter: there a
     /// node has been left out. `below`: the row before, or the same.
-    bool jumps(const float *size, const float *below, int nodes, float ratio)
+    bool jumps(const double *size, const double *below, int nodes, double ratio)
     {
-      constexpr float slack = 0.25f;
+      constexpr double slack = 0.25;
       int count = 0;
 #pragma omp simd reduction(| : count)
       for (int n = 1; n < nodes; ++n)
-        count |= (std::abs(size[n] - size[n - 1]) > 1.f + slack) |
+        count |= (std::abs(size[n] - size[n - 1]) > 1. + slack) |
                  (std::abs(size[n] - below[n]) > ratio + slack);
       return count != 0;
     }
@@ -94,9 +94,7 @@ namespace medium
     bool measure_sizes(Claims &claims, const Distance &distance, const Mesh &mesh, int row)
     {
       const Tiles &tiles = distance.tiles;
-      const float h = static_cast<float>(mesh.spacing[0]),
-                  ratio = static_cast<float>(mesh.spacing[1]) / h,
-                  reach = static_cast<float>(distance.band) / h;
+      const double h = mesh.spacing[0], ratio = mesh.spacing[1] / h, reach = distance.band / h;
       bool smooth = true;
       for (int column = 0; column < tiles.columns; ++column)
       {
@@ -107,8 +105,8 @@ namespace medium
         {
           const std::ptrdiff_t start =
               static_cast<std::ptrdiff_t>(j) * claims.pitch + tiles.first_node(column);
-          measure_line(claims, start, reach, std::max(1.f, ratio));
-          const float *size = claims.size.data() + start;
+          measure_line(claims, start, reach, std::max(1., ratio));
+          const double *size = claims.size.data() + start;
           smooth = !jumps(size, j == 0 ? size : size - claims.pitch, nodes, ratio) && smooth;
         }
       }
@@ -128,18 +126,18 @@ namespace medium
       const double band = distance.band;
       double *psi = distance.psi.row(at.j);
       int *piece = distance.piece.row(at.j);
-      float *offset = distance.offset.row(at.j);
-      const float *size = claims.size.data() + at.start - at.i0,
-                  *along = claims.offset.data() + at.start - at.i0;
+      double *offset = distance.offset.row(at.j);
+      const double *size = claims.size.data() + at.start - at.i0,
+                   *along = claims.offset.data() + at.start - at.i0;
       const int *owner = claims.owner.data() + at.start - at.i0;
-      const float scale = static_cast<float>(unit), reach = static_cast<float>(band / unit);
+      const double reach = band / unit;
 #pragma omp simd
       for (int i = at.i0; i < at.i1; ++i)
       {
-        const double kept = size[i] < reach ? static_cast<double>(size[i]) * unit : band;
+        const double kept = size[i] < reach ? size[i] * unit : band;
         psi[i] = phi[i] > 0 ? kept : -kept;
         piece[i] = size[i] < reach ? owner[i] : -1;
-        offset[i] = along[i] * scale;
+        offset[i] = along[i] * unit;
       }
     }
 

@@ -39,10 +39,10 @@ namespace medium
     /// least 3.
     Distance(const Mesh &, double band_cells);
 
-    double band;         // half-width, length
-    Field<double> psi;   // length; beyond the band +-band
-    Field<int> piece;    // nearest piece; -1 beyond the band
-    Field<float> offset; // of the closest point from the piece along (-normal_y, normal_x), length
+    double band;          // half-width, length
+    Field<double> psi;    // length; beyond the band +-band
+    Field<int> piece;     // nearest piece; -1 beyond the band
+    Field<double> offset; // of the closest point from the piece along (-normal_y, normal_x), length
     std::vector<ContourPiece> pieces; // in the order of their rows
     std::vector<int> first_of_row;    // first piece with row(y) >= j, for j = 0 ... rows
 

@@ -18,7 +18,7 @@ namespace medium
       double *field;
       const double *psi;
       const int *piece, *map;
-      const float *offset;
+      const double *offset;
       const unsigned char *material; // null: everywhere
       double y, depth;
       const ContourPiece *pieces;

@@ -152,6 +152,19 @@ namespace solid
       std::sort(found.begin(), found.end());
       return found;
     }
+
+    // Neighbours may answer with the same point. Whoever owes most has it: an order by cells would
+    // take other points from a crystal than from its mirror image.
+    std::vector<medium::CellValue *> largest_first(medium::CellValues &owed)
+    {
+      std::vector<medium::CellValue *> melted;
+      for (medium::CellValue &debt : owed)
+        if (debt.value < 0.)
+          melted.push_back(&debt);
+      std::stable_sort(melted.begin(), melted.end(),
+                       [](const auto *a, const auto *b) { return a->value < b->value; });
+      return melted;
+    }
   } // namespace
 
   void remove_melted_points(Solid &solid, const medium::CellAreas &areas)
@@ -162,9 +175,10 @@ namespace solid
       return;
     std::vector<char> gone(solid.points.active, 0);
     std::vector<std::size_t> removed;
-    for (medium::CellValue &debt : growing.owed)
-      for (bool more = melts(debt, areas, solid.grid); more;)
+    for (medium::CellValue *next : largest_first(growing.owed))
+      for (bool more = melts(*next, areas, solid.grid); more;)
       {
+        medium::CellValue &debt = *next;
         more = false;
         for (const Candidate &candidate : outermost(solid, areas, buckets, gone, debt))
         {
