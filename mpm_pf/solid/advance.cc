@@ -7,6 +7,7 @@
 #include "solid/body.h"
 #include "solid/light_nodes.h"
 #include "solid/mean_velocity.h"
+#include "solid/mirrors.h"
 #include "solid/nodes_to_points.h"
 #include "solid/splitting.h"
 #include "solid/state_check.h"
@@ -42,6 +43,7 @@ namespace solid
                   for_pieces(grid.blocks, b,
                              [&](const Piece &piece) { scatter(at, source, grid, piece.points); });
                 });
+      fold_images(grid);
     }
 
     // v = (p + dt f)/m; nodes whose mass is only rounding keep what was brought to them.

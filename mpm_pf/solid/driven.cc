@@ -10,6 +10,7 @@
 
 #include "scene/speed.h"
 #include "solid/body.h"
+#include "solid/mirrors.h"
 
 namespace solid
 {
@@ -116,10 +117,12 @@ namespace solid
           for (int c = 0; c < 2; ++c)
             if (point.support[c] >= 0)
             {
-              DrivenPart &part = supports.driven_parts[at.grid.at(s.i - 1 + a, s.j - 1 + b)][c];
-              part.mass += m, part.momentum += m * (velocity[c] + affine.row(c).dot(d));
+              const Image image = image_of(at.grid, s.i - 1 + a, s.j - 1 + b);
+              const double sign = image.sign[c];
+              DrivenPart &part = supports.driven_parts[image.node][c];
+              part.mass += m, part.momentum += sign * m * (velocity[c] + affine.row(c).dot(d));
               if (count_reaction)
-                part.impulse += w * pushed[c] - stressed.row(c).dot(slope);
+                part.impulse += sign * (w * pushed[c] - stressed.row(c).dot(slope));
             }
         }
       }

@@ -1,17 +1,21 @@
 #include "solid/edge_shares.h"
+#include "solid/mirrors.h"
 
 namespace solid
 {
   namespace
   {
-    // Call f(node, weight, gradient) for the nodes around x.
+    // Call f(image, weight, gradient) for the nodes around x, those beyond a symmetry side by
+    // their images: what they get is turned as these are.
     template <typename F>
     void for_nodes(const Stencil &s, const Grid &grid, F &&f)
     {
       for (int b = 0; b < 3; ++b)
         for (int a = 0; a < 3; ++a)
-          f(grid.at(s.i - 1 + a, s.j - 1 + b), s.x.w[a] * s.y.w[b],
-            Point(s.x.g[a] * s.y.w[b], s.x.w[a] * s.y.g[b]));
+        {
+          const Image image = image_of(grid, s.i - 1 + a, s.j - 1 + b);
+          f(image, s.x.w[a] * s.y.w[b], Point(s.x.g[a] * s.y.w[b], s.x.w[a] * s.y.g[b]));
+        }
     }
 
     // Call f(x, n ds) for the Gauss points of the chord from tracer k; material lies to its left.
@@ -67,11 +71,12 @@ namespace solid
                            if (!grid.surrounds(x))
                              return; // it has parted from the material, or belongs to a rigid grip
                            for_nodes(stencil(at, x), grid,
-                                     [&](const std::ptrdiff_t n, const double w, const Point &)
+                                     [&](const Image &image, const double w, const Point &)
                                      {
+                                       const std::ptrdiff_t n = image.node;
                                        if (sums[n].share == 0.)
                                          sums[n].share = 1., nodes.push_back(n);
-                                       sums[n].loaded += w * normal;
+                                       sums[n].loaded += image.apply(w * normal);
                                      });
                          });
   }
@@ -85,10 +90,11 @@ namespace solid
                        {
                          if (grid.surrounds(x))
                            for_nodes(stencil(at, x), grid,
-                                     [&](const std::ptrdiff_t n, const double w, const Point &)
+                                     [&](const Image &image, const double w, const Point &)
                                      {
+                                       const std::ptrdiff_t n = image.node;
                                        if (sums[n].share != 0.)
-                                         sums[n].edge += w * normal;
+                                         sums[n].edge += image.apply(w * normal);
                                      });
                        });
   }
@@ -100,10 +106,11 @@ namespace solid
     {
       const double volume = points.mass[p] * inverse_density * points.jacobian[p];
       for_nodes(stencil(at, {points.x[p], points.y[p]}), at.grid,
-                [&](const std::ptrdiff_t n, const double, const Point &slope)
+                [&](const Image &image, const double, const Point &slope)
                 {
+                  const std::ptrdiff_t n = image.node;
                   if (sums[n].share != 0.)
-                    sums[n].points += volume * slope;
+                    sums[n].points += image.apply(volume * slope);
                 });
     }
   }

@@ -46,8 +46,16 @@ namespace solid
   };
   inline constexpr int rows_per_block = 8;
 
+  /// A symmetry side of the domain: a row (axis 1) or column (axis 0) of nodes, the material at
+  /// larger numbers (side +1) or at smaller ones; see mirrors.h.
+  struct Mirror
+  {
+    int axis, row, side;
+  };
+
   struct Grid
   {
+    std::vector<Mirror> mirrors; // those across x first
     Point lower = Point::Zero();
     double dx = 0., inverse_dx = 0.;
     std::array<int, 2> cells{0, 0}; // of the domain

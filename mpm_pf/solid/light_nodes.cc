@@ -37,9 +37,26 @@ namespace solid
       }
     };
 
-    Point acceleration(const Grid &grid, const std::ptrdiff_t n)
+    Point acceleration(const Grid &grid, const Image &at)
     {
-      return grid.nodes[n].force() / grid.mass[n];
+      return at.apply(grid.nodes[at.node].force() / grid.mass[at.node]);
+    }
+
+    double whole_mass(const Grid &grid, const Image &at)
+    {
+      return grid.mass[at.node] / at.share;
+    }
+
+    // How many of a light node and its own images lean on a node behind it that is kept.
+    int count(const LightNode &light, const Image &behind)
+    {
+      int times = 1;
+      for (int c = 0; c < 2; ++c)
+        if (const bool on_side = light.self.sign[c] == 0.; behind.sign[c] < 0.)
+          times *= on_side ? 0 : 1;
+        else if (behind.sign[c] == 0.)
+          times *= on_side ? 1 : 2;
+      return times;
     }
 
     // Weights of the nodes behind it: the heavier a direction's first node, the more it counts.
@@ -48,15 +65,15 @@ namespace solid
                      const double least)
     {
       const Grid &grid = free.grid;
-      const auto node = [&](const int a, const int b) -> std::ptrdiff_t
+      const auto node = [&](const int a, const int b)
       {
-        if (!grid.has(a, b))
-          return -1;
-        const std::ptrdiff_t n = grid.at(a, b);
-        return grid.mass[n] >= least && (free.at(n) & light.components) == light.components ? n
-                                                                                            : -1;
+        Image at = image_of(grid, a, b);
+        if (at.node >= 0 && (whole_mass(grid, at) < least ||
+                             (free.at(at.node) & light.components) != light.components))
+          at.node = -1;
+        return at;
       };
-      light.behind.fill(light.node), light.weight.fill(0.);
+      light.weight.fill(0.);
       double of_pairs = 0., of_single = 0.;
       std::array<double, 8> single{};
       for (int k = 0, d = 0; k < 9; ++k)
@@ -64,14 +81,13 @@ namespace solid
         const int a = k % 3 - 1, b = k / 3 - 1;
         if (k == 4)
           continue;
-        const std::ptrdiff_t first = node(i + a, j + b);
-        if (first >= 0)
+        if (const Image first = node(i + a, j + b); first.node >= 0)
         {
-          const std::ptrdiff_t second = node(i + 2 * a, j + 2 * b);
-          const double omega = grid.mass[first];
+          const Image second = node(i + 2 * a, j + 2 * b);
+          const double omega = whole_mass(grid, first);
           light.behind[2 * d] = first;
           single[d] = omega, of_single += omega;
-          if (second >= 0)
+          if (second.node >= 0)
           {
             light.behind[2 * d + 1] = second;
             light.weight[2 * d] = 2. * omega, light.weight[2 * d + 1] = -omega;
@@ -95,15 +111,15 @@ namespace solid
     void find_impulse(LightNode &light, const std::vector<std::uint8_t> &leaning, const Grid &grid,
                       const double least, const double dt)
     {
-      const double mass = grid.mass[light.node];
-      Point relative = acceleration(grid, light.node);
+      const double mass = whole_mass(grid, light.self);
+      Point relative = acceleration(grid, light.self);
       double yielding = 1. / (least - mass) + 1. / mass;
       for (int k = 0; k < 16; ++k)
         if (const double w = light.weight[k]; w != 0.)
         {
-          const std::ptrdiff_t n = light.behind[k];
-          relative -= w * acceleration(grid, n);
-          yielding += leaning[n] * w * w / grid.mass[n];
+          const Image &at = light.behind[k];
+          relative -= w * acceleration(grid, at);
+          yielding += leaning[at.node] * w * w / whole_mass(grid, at);
         }
       light.impulse = dt / yielding * relative;
       for (int c = 0; c < 2; ++c)
@@ -121,20 +137,23 @@ namespace solid
       const std::ptrdiff_t offset = grid.offset[j - grid.row_begin];
       for (int i = begin; i < end; ++i)
       {
-        const double mass = grid.mass[offset + i];
-        if (mass >= least || mass <= rounding)
+        if (grid.mass[offset + i] >= least || grid.mass[offset + i] <= 0.)
           continue;
         LightNode light;
-        light.node = offset + i, light.components = free.at(light.node);
+        light.self = image_of(grid, i, j);
+        if (const double mass = whole_mass(grid, light.self); mass >= least || mass <= rounding)
+          continue;
+        light.components = free.at(light.self.node);
         if (light.components == 0 || !find_behind(light, free, i, j, least))
           continue;
         found.push_back(light);
       }
     }
 
-    void add(Grid &grid, const std::ptrdiff_t n, const Point &impulse)
+    void add(Grid &grid, const Image &at, const Point &impulse)
     {
-      const Point dv = impulse / grid.mass[n];
+      const std::ptrdiff_t n = at.node;
+      const Point dv = at.apply(impulse) / whole_mass(grid, at);
       grid.velocity[n].x += dv[0], grid.velocity[n].y += dv[1];
       if (!grid.change.empty())
         grid.change[n].x += dv[0], grid.change[n].y += dv[1];
@@ -154,7 +173,8 @@ namespace solid
     for (const auto &row : nodes.found)
       for (const LightNode &light : row)
         for (int k = 0; k < 16; ++k)
-          nodes.leaning[light.behind[k]] += light.weight[k] != 0.;
+          if (light.weight[k] != 0.)
+            nodes.leaning[light.behind[k].node] += count(light, light.behind[k]);
 #pragma omp parallel for schedule(static) num_threads(threads)
     for (int row = 0; row < rows; ++row)
       for (LightNode &light : nodes.found[row])
@@ -162,10 +182,11 @@ namespace solid
     for (const auto &row : nodes.found)
       for (const LightNode &light : row)
       {
-        add(grid, light.node, -light.impulse);
+        add(grid, light.self, -light.impulse);
         for (int k = 0; k < 16; ++k)
           if (light.weight[k] != 0.)
-            add(grid, light.behind[k], light.weight[k] * light.impulse);
+            add(grid, light.behind[k],
+                count(light, light.behind[k]) * light.weight[k] * light.impulse);
       }
   }
 } // namespace solid

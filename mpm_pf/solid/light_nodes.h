@@ -12,20 +12,21 @@
 // momentum stay, and what is linear in x (rigid motions, gravity) feels nothing. m_I + alpha is a
 // fixed fraction of a full cell's mass. To tie the functions that a rim cuts to those inside is
 // what extended B-splines do (Hoellig, Reif, Wipper 2001); here only accelerations are tied, and
-// the lighter a node, the more.
+// the lighter a node, the more. All this is that of the whole body where a symmetry side cuts it.
 #pragma once
 
+#include "solid/mirrors.h"
 #include "solid/supports.h"
 
 namespace solid
 {
   struct LightNode
   {
-    std::ptrdiff_t node = 0;
-    std::uint8_t components = 0;           // bit c: component c is not held
-    std::array<std::ptrdiff_t, 16> behind; // I + d, I + 2d of each direction; unused: node
-    std::array<double, 16> weight;         // sum 1; unused: 0
-    Point impulse = Point::Zero();         // that it loses
+    Image self;
+    std::uint8_t components = 0;   // bit c: component c is not held
+    std::array<Image, 16> behind;  // I + d, I + 2d of each direction
+    std::array<double, 16> weight; // sum 1; unused: 0
+    Point impulse = Point::Zero(); // that it loses
   };
 
   /// Kept from step to step for its memory only.

@@ -6,6 +6,7 @@
 #include "scene/geometry.h"
 #include "scene/reader.h"
 #include "solid/body.h"
+#include "solid/mirrors.h"
 
 namespace solid
 {
@@ -118,16 +119,18 @@ namespace solid
       Grid &grid = solid.grid;
       const Stencil s = stencil(solid.interpolation(), x);
       double share[9], sum = 0.;
+      std::array<Image, 9> images;
       for (int k = 0; k < 9; ++k)
       {
-        const std::ptrdiff_t n = grid.at(s.i - 1 + k % 3, s.j - 1 + k / 3);
+        images[k] = image_of(grid, s.i - 1 + k % 3, s.j - 1 + k / 3);
+        const std::ptrdiff_t n = images[k].node;
         share[k] = grid.mass[n] > 0. ? s.x.w[k % 3] * s.y.w[k / 3] * loads.shares[n] : 0.;
         sum += share[k];
       }
       for (int k = 0; k < 9 && sum > 0.; ++k)
       {
-        const std::ptrdiff_t n = grid.at(s.i - 1 + k % 3, s.j - 1 + k / 3);
-        const Point part = share[k] / sum * force;
+        const std::ptrdiff_t n = images[k].node;
+        const Point part = images[k].apply(share[k] / sum * force);
         grid.nodes[n].motion += Quad{0., part[0], 0., part[1]};
         loads.nodal_forces.push_back({n, part});
       }

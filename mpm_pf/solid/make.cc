@@ -81,6 +81,7 @@ namespace solid
       solid.tracers = make_tracers(scene.bodies, scene.domain, 0.5 * solid.grid.dx);
     }
     solid.supports = make_supports(scene, solid.points, solid.tracers);
+    place_mirrors(solid.supports, solid.grid);
     solid.loads = make_loads(scene, solid.tracers);
     solid.reference_speed = reference_speed(scene, mpm, solid.supports);
     solid.material = make_material(*scene.solid, mpm.mach, solid.reference_speed);

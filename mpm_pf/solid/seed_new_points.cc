@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <queue>
 #include <unordered_map>
 
 #include "solid/area_budget.h"
@@ -153,17 +154,30 @@ namespace solid
       return found;
     }
 
-    // Neighbours may answer with the same point. Whoever owes most has it: an order by cells would
-    // take other points from a crystal than from its mirror image.
-    std::vector<medium::CellValue *> largest_first(medium::CellValues &owed)
+    // Neighbours may answer with the same point. Whoever owes most has the next one: an order by
+    // cells would take other points from a crystal than from its mirror image.
+    struct OwesLess
     {
-      std::vector<medium::CellValue *> melted;
-      for (medium::CellValue &debt : owed)
-        if (debt.value < 0.)
-          melted.push_back(&debt);
-      std::stable_sort(melted.begin(), melted.end(),
-                       [](const auto *a, const auto *b) { return a->value < b->value; });
-      return melted;
+      bool operator()(const medium::CellValue *a, const medium::CellValue *b) const
+      {
+        return a->value != b->value ? a->value > b->value : a->cell > b->cell;
+      }
+    };
+    using Debtors =
+        std::priority_queue<medium::CellValue *, std::vector<medium::CellValue *>, OwesLess>;
+
+    void take_away(Solid &solid, const std::size_t p, medium::CellValue &debt)
+    {
+      AreaBudget &budget = solid.growing->budget;
+      // phi melts what is there now, strained as it is; the budget counts it without stress.
+      const double area = solid.points.mass[p] / solid.material.density;
+      const double area_now = area * solid.points.jacobian[p];
+      debt.value += area_now;
+      budget.melted += area - area_now;
+      const double elastic = elastic_energy_of(solid, p);
+      solid.energy.start -= kinetic_energy_of(solid.points, p) + elastic;
+      solid.energy.elastic_start -= elastic;
+      budget.removed += area, ++budget.removed_points;
     }
   } // namespace
 
@@ -175,29 +189,26 @@ namespace solid
       return;
     std::vector<char> gone(solid.points.active, 0);
     std::vector<std::size_t> removed;
-    for (medium::CellValue *next : largest_first(growing.owed))
-      for (bool more = melts(*next, areas, solid.grid); more;)
-      {
-        medium::CellValue &debt = *next;
-        more = false;
-        for (const Candidate &candidate : outermost(solid, areas, buckets, gone, debt))
-        {
-          const std::size_t p = candidate.point;
-          // phi melts what is there now, strained as it is; the budget counts it without stress.
-          const double area = solid.points.mass[p] / solid.material.density;
-          const double area_now = area * solid.points.jacobian[p];
-          if (-debt.value < 0.5 * area_now * (1. - 1e-9))
-            break;
-          debt.value += area_now;
-          growing.budget.melted += area - area_now;
-          gone[p] = 1, more = debt.value < 0.;
-          removed.push_back(p);
-          const double elastic = elastic_energy_of(solid, p);
-          solid.energy.start -= kinetic_energy_of(solid.points, p) + elastic;
-          solid.energy.elastic_start -= elastic;
-          growing.budget.removed += area, ++growing.budget.removed_points;
-        }
-      }
+    Debtors debtors;
+    for (medium::CellValue &debt : growing.owed)
+      if (melts(debt, areas, solid.grid))
+        debtors.push(&debt);
+    while (!debtors.empty())
+    {
+      medium::CellValue &debt = *debtors.top();
+      debtors.pop();
+      const std::vector<Candidate> candidates = outermost(solid, areas, buckets, gone, debt);
+      if (candidates.empty())
+        continue;
+      const std::size_t p = candidates.front().point;
+      const double area = solid.points.mass[p] / solid.material.density * solid.points.jacobian[p];
+      if (-debt.value < 0.5 * area * (1. - 1e-9))
+        continue;
+      take_away(solid, p, debt);
+      gone[p] = 1, removed.push_back(p);
+      if (debt.value < 0.)
+        debtors.push(&debt);
+    }
     std::sort(removed.begin(), removed.end());
     erase_points(solid, removed);
   }

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "solid/body.h"
+#include "solid/mirrors.h"
 #include "solid/walls.h"
 
 namespace solid
@@ -105,9 +106,10 @@ namespace solid
     bool crossed(const Supports &supports, const HeldLine &line, const Grid &grid, const int i,
                  const int j, const std::ptrdiff_t n)
     {
-      if (grid.fold[n] == 0)
-        return false;
-      const int along = 1 - line.axis, l = supports.folds.pairs[grid.fold[n] - 1][along];
+      const int along = 1 - line.axis;
+      if (on_mirror(grid, along, i, j))
+        return true;
+      const int l = grid.fold[n] == 0 ? -1 : supports.folds.pairs[grid.fold[n] - 1][along];
       if (l < 0 || !supports.lines[l].held[along] ||
           (along == 0 ? i : j) != supports.folds.lines[l].carrier())
         return false;
@@ -224,6 +226,8 @@ namespace solid
       place_line(supports.all, tracers, line, t);
       const Fold fold = fold_at(line.position, line.side, grid.lower[line.axis], grid.dx);
       supports.folds.lines.push_back(fold);
+      if (line.reflects)
+        continue;
       for (const int row : {fold.carrier(), fold.master})
         for_nodes_along(line, grid, row, folded,
                         [&](int, int, const std::ptrdiff_t n)
@@ -242,6 +246,7 @@ namespace solid
     note_touched(supports, grid, step);
     for (std::size_t l = 0; l < supports.lines.size(); ++l)
       apply_line(supports, supports.lines[l], supports.folds.lines[l], grid, step);
+    reflect_velocities(grid);
   }
 
   void move_held_points(Solid &solid, const double dt)

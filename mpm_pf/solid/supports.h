@@ -49,6 +49,7 @@ namespace solid
     std::array<double, 2> overhang{0., 0.}; // and so far beyond the first and the last
     std::array<double, 2> reach{3., 3.};    // cells beyond its ends in which nodes are held
     bool contact = false;                   // a wall: holds only what touches it, see walls.h
+    bool reflects = false;                  // a symmetry side with images beyond, see mirrors.h
     // Of a wall, node by node along it and `margin` beyond:
     std::vector<std::uint8_t> touched; // does it hold now?
     std::vector<std::uint8_t> stuck;   // did it in the last step
@@ -178,6 +179,10 @@ namespace solid
   /// touches nothing, lies across a slanted outline, or bends its edge by more than a quarter of a
   /// cell.
   Supports make_supports(const scene::Scene &, Points &, Tracers &);
+
+  /// Symmetry sides to the grid's mirrors; but where a support holds an edge on the side, which it
+  /// may move away, the side remains a held line.
+  void place_mirrors(Supports &, Grid &);
 
   /// Lines to where they are at time t, and the folds into the grid.
   void place_supports(Supports &, const Tracers &, Grid &, double t);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "scene/geometry.h"
@@ -105,6 +106,23 @@ namespace solid
       points.active = static_cast<std::size_t>(middle - order.begin());
     }
   } // namespace
+
+  void place_mirrors(Supports &supports, Grid &grid)
+  {
+    for (HeldLine &side : supports.lines)
+    {
+      if (side.support >= 0)
+        continue;
+      side.reflects = std::none_of(supports.lines.begin(), supports.lines.end(),
+                                   [&](const HeldLine &other)
+                                   {
+                                     return other.support >= 0 && other.axis == side.axis &&
+                                            std::abs(other.initial - side.initial) < 0.5 * grid.dx;
+                                   });
+      if (side.reflects)
+        grid.mirrors.push_back({side.axis, side.side > 0 ? 0 : grid.cells[side.axis], side.side});
+    }
+  }
 
   void hold_box(SupportBuilder &build, const scene::Support &asked, const int index)
   {

@@ -1,4 +1,5 @@
 #include "solid/tracers.h"
+#include "solid/mirrors.h"
 
 #include "scene/geometry.h"
 
@@ -30,14 +31,17 @@ namespace solid
     for (int b = 0; b < 3; ++b)
       for (int a = 0; a < 3; ++a)
       {
-        const std::ptrdiff_t n = grid.at(s.i - 1 + a, s.j - 1 + b);
-        if (grid.mass[n] <= 0.)
+        const Image image = image_of(grid, s.i - 1 + a, s.j - 1 + b);
+        const std::ptrdiff_t n = image.node;
+        if (n < 0 || grid.mass[n] <= 0.)
           continue;
         const double w = s.x.w[a] * s.y.w[b];
-        const Point momentum = grid.nodes[n].momentum();
-        brought += w / grid.mass[n] * momentum;
-        pushed += w * (grid.mass[n] * Point(grid.velocity[n].x, grid.velocity[n].y) - momentum);
-        weight += w, mass += w * grid.mass[n];
+        const Point momentum = image.apply(grid.nodes[n].momentum()) / image.share;
+        const Point after = image.apply({grid.velocity[n].x, grid.velocity[n].y});
+        const double node_mass = grid.mass[n] / image.share;
+        brought += w / node_mass * momentum;
+        pushed += w * (node_mass * after - momentum);
+        weight += w, mass += w * node_mass;
       }
     return weight > 1e-9 ? Point(brought / weight + pushed / mass) : Point(0., 0.);
   }

@@ -1,3 +1,4 @@
+#include "solid/mirrors.h"
 #include "solid/stencil.h"
 
 namespace solid
@@ -32,24 +33,30 @@ namespace solid
       const Stencil s = stencil(at, {points.x[p], points.y[p]});
       for (int b = 0; b < 3; ++b)
         for (int a = 0; a < 3; ++a)
-          f(grid.at(s.i - 1 + a, s.j - 1 + b), s.x.w[a] * s.y.w[b]);
+          f(image_of(grid, s.i - 1 + a, s.j - 1 + b), s.x.w[a] * s.y.w[b]);
     };
     for (std::size_t p = 0; p < points.active; ++p)
     {
       Point v = Point::Zero();
       each(p,
-           [&](const std::ptrdiff_t n, const double w) {
-             v += grid.mass[n] > 0. ? Point(w * grid.nodes[n].momentum() / grid.mass[n])
-                                    : Point(0., 0.);
+           [&](const Image &at, const double w)
+           {
+             if (const double mass = grid.mass[at.node]; mass > 0.)
+               v += at.apply(w * grid.nodes[at.node].momentum() / mass);
            });
       once[p] = v;
-      each(p, [&](const std::ptrdiff_t n, const double w) { again[n] += w * points.mass[p] * v; });
+      each(p, [&](const Image &at, const double w)
+           { again[at.node] += at.apply(w * points.mass[p] * v); });
     }
     for (std::size_t p = 0; p < points.active; ++p)
     {
       Point twice = Point::Zero();
-      each(p, [&](const std::ptrdiff_t n, const double w)
-           { twice += grid.mass[n] > 0. ? Point(w * again[n] / grid.mass[n]) : Point(0., 0.); });
+      each(p,
+           [&](const Image &at, const double w)
+           {
+             if (const double mass = grid.mass[at.node]; mass > 0.)
+               twice += at.apply(w * again[at.node] / mass);
+           });
       points.vx[p] = 2. * once[p][0] - twice[0], points.vy[p] = 2. * once[p][1] - twice[1];
     }
   }

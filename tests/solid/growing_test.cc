@@ -131,6 +131,40 @@ TEST(Growing, MeltingOfACompressedBodyTakesAwayTheAreaThatItCovers)
   EXPECT_NEAR(area_budget(disc.solid).melted, covered / 0.9, 0.02 * covered);
 }
 
+// Cells that melt compete for points; who comes first must not depend on where it is counted from.
+TEST(Growing, MeltingTakesTheSamePointsOnEitherSide)
+{
+  Disc disc;
+  const auto melt = [&](const double size)
+  {
+    for (int j = 0; j < disc.mesh.nodes[1]; ++j)
+      for (int i = 0; i < disc.mesh.nodes[0]; ++i)
+      {
+        const Point x = disc.mesh.position(i, j) - Point(1., 1.);
+        const double shape = 1. + 0.2 * std::cos(6. * std::atan2(x[0], x[1]));
+        disc.phi(i, j) = std::tanh((size * shape - x.norm()) / (std::sqrt(2.) * width));
+      }
+    medium::fill_ghosts(disc.phi, disc.mesh);
+  };
+  melt(0.7);
+  disc.activate();
+  for (int k = 1; k < 100; ++k)
+  {
+    begin_growth(disc.solid, disc.crystal());
+    melt(0.7 - 0.006 * k);
+    seed_new_points(disc.solid, disc.crystal());
+    const Points &points = disc.solid.points;
+    for (std::size_t p = 0; p < points.size(); ++p)
+    {
+      double least = 1.;
+      for (std::size_t q = 0; q < points.size(); ++q)
+        least =
+            std::min(least, std::hypot(2. - points.x[p] - points.x[q], points.y[p] - points.y[q]));
+      ASSERT_LT(least, 1e-6) << "step " << k << ", " << points.x[p] << ", " << points.y[p];
+    }
+  }
+}
+
 TEST(Growing, AdvectionOfTheMarkerIsNoGrowth)
 {
   Disc disc;
