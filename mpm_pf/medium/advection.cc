@@ -6,6 +6,7 @@
 #include "medium/cip.h"
 #include "medium/eulerian.h"
 #include "medium/numerical_error.h"
+#include "medium/sides.h"
 
 namespace medium
 {
@@ -36,21 +37,27 @@ namespace medium
     }
 
     /// Of a field that is its own mirror image one derivative vanishes on the mirror, which upwind
-    /// cells to one side of it do not see.
-    void vanish_on_symmetry_sides(Gradients &g, const Mesh &mesh)
+    /// cells to one side of it do not see. Where the motion crosses the side, nothing is mirrored.
+    void vanish_on_symmetry_sides(Gradients &g, const Velocity &velocity, double dt,
+                                  const Mesh &mesh)
     {
       const bool scalar = g.image == Image::scalar;
       Field<double> &odd_across_x = scalar ? g.x : g.y, &odd_across_y = scalar ? g.y : g.x;
-      const int last_x = mesh.nodes[0] - 1, last_y = mesh.nodes[1] - 1;
-      for (const bool high : {false, true})
-      {
-        if (mesh.side(high ? Edge::right : Edge::left) == Boundary::symmetry)
-          for (int j = 0; j <= last_y; ++j)
-            odd_across_x(high ? last_x : 0, j) = 0.;
-        if (mesh.side(high ? Edge::top : Edge::bottom) == Boundary::symmetry)
-          for (int i = 0; i <= last_x; ++i)
-            odd_across_y(i, high ? last_y : 0) = 0.;
-      }
+      const StepInCells step{dt / mesh.spacing[0], dt / mesh.spacing[1]};
+      const auto is_symmetry = [&](bool here, Edge edge)
+      { return here && mesh.side(edge) == Boundary::symmetry; };
+      for (int j = 0; j < mesh.nodes[1]; ++j)
+        for_mirror_nodes(mesh, j,
+                         [&](int i, const MirrorSides &at)
+                         {
+                           const Departure d = departure(velocity_rows(velocity, j), i, step);
+                           if (!crosses(d.x) && (is_symmetry(at.left, Edge::left) ||
+                                                 is_symmetry(at.right, Edge::right)))
+                             odd_across_x(i, j) = 0.;
+                           if (!crosses(d.y) && (is_symmetry(at.bottom, Edge::bottom) ||
+                                                 is_symmetry(at.top, Edge::top)))
+                             odd_across_y(i, j) = 0.;
+                         });
     }
 
     void keep_fixed_sides(Field<double> &next, const Field<double> &last, const Mesh &mesh)
@@ -168,7 +175,7 @@ namespace medium
     gradients.x.swap(new_x);
     gradients.y.swap(new_y);
     gradients.xy.swap(new_xy);
-    vanish_on_symmetry_sides(gradients, mesh);
+    vanish_on_symmetry_sides(gradients, velocity, dt, mesh);
     fill_ghosts(f, mesh, Parity::even, gradients.image);
     fill_gradient_ghosts(gradients, mesh);
     copy_rows(f, gradients.last);

@@ -1,7 +1,7 @@
 #include "medium/cip.h"
 
 #include "medium/current_gradients.h"
-#include "medium/departure.h"
+#include "medium/sides.h"
 #include "medium/upwind_cell.h"
 
 namespace medium
@@ -48,26 +48,36 @@ namespace medium
               sy * ((3. * c03 * y + 2. * (c02 + c12 * x)) * y + k00 + (c11 + c21 * x) * x)};
     }
 
-    double type_a_row(const CarriedRows &r, const VelocityRows &w, int count, StepInCells dt,
-                      CellSize cell)
+    [[gnu::always_inline]] inline void carry_node(const CarriedRows &r, int i, const Departure &d,
+                                                  CellSize cell)
     {
-      const double per_x = 1. / cell.x, per_y = 1. / cell.y;
+      const Profile p = type_a(r, i, d, cell);
+      r.f.next[i] = p.f;
+      r.x.next[i] = (1. / cell.x) * (d.xx * p.g + d.yx * p.k);
+      r.y.next[i] = (1. / cell.y) * (d.xy * p.g + d.yy * p.k);
+    }
+
+    double type_a_row(const CarriedRows &r, const VelocityRows &w, int j, double dt,
+                      const Mesh &mesh)
+    {
+      const CellSize cell{mesh.spacing[0], mesh.spacing[1]};
+      const StepInCells step{dt / cell.x, dt / cell.y};
 #pragma omp simd
-      for (int i = 0; i < count; ++i)
-      {
-        const Departure d = departure(w, i, dt);
-        const Profile p = type_a(r, i, d, cell);
-        r.f.next[i] = p.f;
-        r.x.next[i] = per_x * (d.xx * p.g + d.yx * p.k);
-        r.y.next[i] = per_y * (d.xy * p.g + d.yy * p.k);
-      }
-      return largest_shift(w, count, dt);
+      for (int i = 0; i < mesh.nodes[0]; ++i)
+        carry_node(r, i, departure(w, i, step), cell);
+      for_mirror_nodes(mesh, j,
+                       [&](int i, const MirrorSides &sides)
+                       {
+                         Departure d = departure(w, i, step);
+                         if (depart_from_side(d, sides))
+                           carry_node(r, i, d, cell);
+                       });
+      return largest_shift(w, mesh.nodes[0], step);
     }
   } // namespace
 
   double cip_type_a(const CipFields &a, const Velocity &velocity, double dt, const Mesh &mesh)
   {
-    const CellSize cell{mesh.spacing[0], mesh.spacing[1]};
     return sweep_rows(a, mesh,
                       [&](const CurrentGradients &g, int j)
                       {
@@ -75,8 +85,7 @@ namespace medium
                             {{a.f->row(j - 1), a.f->row(j), a.f->row(j + 1), a.new_f->row(j)},
                              {g.x(2), g.x(1), g.x(0), a.new_x->row(j)},
                              {g.y(2), g.y(1), g.y(0), a.new_y->row(j)}},
-                            velocity_rows(velocity, j), mesh.nodes[0], {dt / cell.x, dt / cell.y},
-                            cell);
+                            velocity_rows(velocity, j), j, dt, mesh);
                       });
   }
 } // namespace medium

@@ -1,5 +1,7 @@
 #include "medium/eulerian.h"
 
+#include "medium/sides.h"
+
 namespace medium
 {
   namespace
@@ -37,6 +39,29 @@ namespace medium
                              from_low ? d3 : d2, from_low ? d4 : d1);
     }
 
+    /// v . grad f dt by WENO at c[0], for the shifts v dt in cells.
+    [[gnu::always_inline]] inline double weno_change(const double *c, std::ptrdiff_t pitch,
+                                                     double shift_x, double shift_y)
+    {
+      return shift_x * weno_slope(c, 1, shift_x) + shift_y * weno_slope(c, pitch, shift_y);
+    }
+
+    /// A node in its row, and those in the rows beside it.
+    struct Neighbours
+    {
+      const double *here, *below, *above;
+    };
+
+    /// The same by first differences.
+    [[gnu::always_inline]] inline double upwind_change(const Neighbours &at, double shift_x,
+                                                       double shift_y)
+    {
+      const double *c = at.here;
+      const double west = c[0] - c[-1], east = c[1] - c[0];
+      const double south = c[0] - *at.below, north = *at.above - c[0];
+      return shift_x * (shift_x >= 0. ? west : east) + shift_y * (shift_y >= 0. ? south : north);
+    }
+
     /// next = a f + b (g + dt L(g)): one Runge-Kutta stage.
     struct Stage
     {
@@ -55,11 +80,16 @@ namespace medium
         double *target = next.row(j);
 #pragma omp simd
         for (int i = 0; i < mesh.nodes[0]; ++i)
-        {
-          const double gx = weno_slope(c + i, 1, u[i]);
-          const double gy = weno_slope(c + i, pitch, v[i]);
-          target[i] = stage.old * old[i] + stage.now * (c[i] - x * u[i] * gx - y * v[i] * gy);
-        }
+          target[i] = stage.old * old[i] +
+                      stage.now * (c[i] - weno_change(c + i, pitch, x * u[i], y * v[i]));
+        for_mirror_nodes(mesh, j,
+                         [&](int i, const MirrorSides &sides)
+                         {
+                           const double in_x = along_side_x(x * u[i], sides);
+                           const double in_y = along_side_y(y * v[i], sides);
+                           target[i] = stage.old * old[i] +
+                                       stage.now * (c[i] - weno_change(c + i, pitch, in_x, in_y));
+                         });
       }
       fill_ghosts(next, mesh, Parity::even, image);
     }
@@ -86,12 +116,14 @@ namespace medium
       double *target = next.row(j);
 #pragma omp simd
       for (int i = 0; i < mesh.nodes[0]; ++i)
-      {
-        const double west = c[i] - c[i - 1], east = c[i + 1] - c[i];
-        const double south = c[i] - below[i], north = above[i] - c[i];
-        target[i] =
-            c[i] - x * u[i] * (u[i] >= 0. ? west : east) - y * v[i] * (v[i] >= 0. ? south : north);
-      }
+        target[i] = c[i] - upwind_change({c + i, below + i, above + i}, x * u[i], y * v[i]);
+      for_mirror_nodes(mesh, j,
+                       [&](int i, const MirrorSides &sides)
+                       {
+                         target[i] = c[i] - upwind_change({c + i, below + i, above + i},
+                                                          along_side_x(x * u[i], sides),
+                                                          along_side_y(y * v[i], sides));
+                       });
     }
     f.swap(next);
   }

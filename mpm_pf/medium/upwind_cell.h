@@ -19,7 +19,8 @@ namespace medium
   };
 
   /// Corners of node i's cell towards +x if `right`, +y if `up`, times `scale`.
-  inline UpwindCorners corners(const FieldRows &r, int i, bool right, bool up, double scale)
+  [[gnu::always_inline]] inline UpwindCorners corners(const FieldRows &r, int i, bool right,
+                                                      bool up, double scale)
   {
     const double e = r.here[i + 1], w = r.here[i - 1], n = r.above[i], s = r.below[i];
     const double ne = r.above[i + 1], nw = r.above[i - 1], se = r.below[i + 1], sw = r.below[i - 1];
