@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "inertia.h"
+#include "scene/body_sizes.h"
 #include "scene/geometry.h"
 #include "scene/quasi_static.h"
 
@@ -81,14 +82,6 @@ namespace
       }
     return speeds;
   }
-
-  /// Nothing of the bodies is left free for a wave to run in.
-  bool holds_all(const scene::Support &support, const scene::Box &box)
-  {
-    const auto *region = std::get_if<scene::Box>(&support.where);
-    return region && (region->lower.array() <= box.lower.array()).all() &&
-           (region->upper.array() >= box.upper.array()).all();
-  }
 } // namespace
 
 void choose_wall_ramps(World &world)
@@ -125,7 +118,8 @@ std::string warning_on_support_ramps(const World &world)
   const scene::Box box = scene::bounding_box(scene.bodies);
   std::vector<const scene::Support *> driven;
   for (const scene::Support &support : scene.supports)
-    if (scene::is_driven(support) && !holds_all(support, box))
+    // Where all is covered, nothing is left free for a wave to run in.
+    if (scene::is_driven(support) && !scene::covers(support, box))
       driven.push_back(&support);
   // Where both ends are driven, the middle is what a wave from either comes to.
   const double length = (box.upper - box.lower).maxCoeff() / (driven.size() > 1 ? 2. : 1.);

@@ -23,14 +23,10 @@ namespace scene
 
     bool is_held_whole(const Box &body, const std::vector<Support> &supports)
     {
-      const double tolerance = 1e-9 * (body.upper - body.lower).maxCoeff();
       return std::any_of(supports.begin(), supports.end(),
-                         [&](const Support &support)
-                         {
-                           const auto *held = std::get_if<Box>(&support.where);
-                           return held && support.displacement[0] && support.displacement[1] &&
-                                  (body.lower - held->lower).minCoeff() >= -tolerance &&
-                                  (held->upper - body.upper).minCoeff() >= -tolerance;
+                         [&](const Support &support) {
+                           return support.displacement[0] && support.displacement[1] &&
+                                  covers(support, body);
                          });
     }
 
@@ -56,6 +52,14 @@ namespace scene
       return sizes;
     }
   } // namespace
+
+  bool covers(const Support &support, const Box &bodies)
+  {
+    const auto *region = std::get_if<Box>(&support.where);
+    const double tolerance = 1e-9 * (bodies.upper - bodies.lower).maxCoeff();
+    return region && (bodies.lower - region->lower).minCoeff() >= -tolerance &&
+           (region->upper - bodies.upper).minCoeff() >= -tolerance;
+  }
 
   BodySizes sizes_to_resolve(const Scene &s)
   {

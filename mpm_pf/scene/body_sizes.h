@@ -17,6 +17,10 @@ namespace scene
     double thinnest = 0., longest = 0.; // 0: no size is known
   };
 
+  /// Is the support a region with all of the bodies' box in it, but for rounding? Nothing is then
+  /// left free in the components that it holds.
+  bool covers(const Support &, const Box &bodies);
+
   /// Thickness and length: the sides of the bodies' bounding boxes; of a ring its wall, and of a
   /// free outline twice its area over its perimeter, which is the width of a long strip. Bodies
   /// that supports hold whole are left out, unless all are held.

@@ -136,4 +136,11 @@ TEST(SupportRamp, IsNotAskedForWhereItDoesNotMatter)
   EXPECT_EQ(said_of_supports("0.1*t", scaled, "region = {lower = [0.9, 0.9], upper = [3.1, 3.1]}"),
             "")
       << "nothing is left for a wave to run in";
+  // 1 + 1/3 + 5/3, added up in decimals, misses 3 by 1e-10.
+  EXPECT_EQ(said_of_supports("0.1*t", scaled,
+                             "region = {lower = [1.0, 1.0], upper = [3.0, 2.9999999999]}"),
+            "")
+      << "rounding leaves nothing free either";
+  EXPECT_NE(said_of_supports("0.1*t", scaled, "region = {lower = [1.0, 1.0], upper = [3.0, 2.9]}"),
+            "");
 }
