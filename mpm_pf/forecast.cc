@@ -15,6 +15,7 @@
 #include "record/stopwatch.h"
 #include "scene/quantities.h"
 #include "simulate.h"
+#include "step_count.h"
 
 namespace
 {
@@ -36,7 +37,7 @@ namespace
   void forecast_solid(World &world, Forecast &forecast)
   {
     const double step = solid::stable_step(*world.solid);
-    const double steps = expected_end(world) / step;
+    const double steps = count_solid_steps(world).substeps;
     forecast.counts["points"] = static_cast<double>(solid::points(*world.solid));
     forecast.counts["steps"] = steps;
     const int most = static_cast<int>(std::clamp(steps, 1., double(probe_calls)));
@@ -62,22 +63,31 @@ namespace
   void forecast_marked_solid(World &world, Forecast &forecast)
   {
     const double end = expected_end(world), step_length = std::min(coupling_step(world), end);
-    const double steps = end / step_length;
+    const double solid_step = solid::stable_step(*world.solid);
+    const StepCount count = count_solid_steps(world);
+    const double steps = count.couplings;
     forecast.counts["points"] = static_cast<double>(solid::points(*world.solid));
     forecast.counts["coupling steps"] = steps;
-    forecast.counts["steps"] = end / solid::stable_step(*world.solid);
+    forecast.counts["steps"] = count.substeps;
     // What is done every few steps only comes up once in each call that is timed.
     const int period = std::max(world.uncarried ? world.uncarried->interval : 1,
                                 std::min(world.extension->interval, world.extension->map_interval));
     const int in_a_call = static_cast<int>(std::clamp(steps / 2., 1., double(period)));
     const int most = static_cast<int>(std::clamp(steps / in_a_call, 1., double(probe_calls)));
-    const double tried = within_the_run(world, step_length, in_a_call * (1 + most) - 1);
+    const double tried = within_the_run(world, step_length, in_a_call * (1 + most));
     const auto call = [&]
     {
       for (int k = 0; k < in_a_call; ++k)
         step(world, tried);
     };
-    forecast.seconds["solid"] = end / tried / in_a_call * seconds_of(call, probe_budget_s, most);
+    const double coupling = seconds_of(call, probe_budget_s, most) / in_a_call;
+    // What is cut short has fewer of the solid's steps in it, and all of the rest.
+    const double tried_steps = std::max(1., std::ceil(tried / solid_step - 1e-9));
+    const double moves_nothing = 1e-3 * tried / probe_calls; // and stays within the run
+    const double each = seconds_of([&] { solid::advance(*world.solid, moves_nothing); },
+                                   probe_budget_s, probe_calls);
+    forecast.seconds["solid"] =
+        steps * std::max(0., coupling - tried_steps * each) + count.substeps * each;
     count_intervals(world, steps, step_length, forecast);
     forecast.counts["cells"] = static_cast<double>(solid::cells(*world.solid));
   }

@@ -7,6 +7,7 @@
 #include "forecast_growth.h"
 #include "forecast_probes.h"
 #include "solid/points.h"
+#include "step_count.h"
 
 namespace
 {
@@ -128,13 +129,11 @@ namespace
     const scene::Mpm mpm = scene.mpm.value_or(scene::Mpm{});
     const double cell = world.mesh->spacing.prod(), duration = load.end - load.pressed_from;
     const double points = load.solid_area / cell * mpm.points_per_cell[0] * mpm.points_per_cell[1];
-    const double steps = duration / solid::stable_step(*world.solid);
     const double nodes = static_cast<double>(world.mesh->node_count());
-    double coupling = coupling_step(world); // or shorter: probes are met exactly
-    for (const scene::Probe &probe : scene.probes)
-      if (probe.every)
-        coupling = std::min(coupling, *probe.every);
-    const double couplings = duration / coupling;
+    const StepCount count = count_steps(world, load.pressed_from, load.end, coupling_step(world),
+                                        solid::stable_step(*world.solid));
+    const double steps = count.substeps, couplings = count.couplings;
+    const double coupling = duration / couplings; // in the mean
     const double fields = 1. + (world.heat ? 1. : 0.) + (world.orientation ? 1. : 0.);
     forecast.counts["points"] = points;
     forecast.counts["steps"] = steps;

@@ -9,6 +9,7 @@
 #include "costs.h"
 #include "forecast.h"
 #include "scene/presets.h"
+#include "step_count.h"
 
 namespace
 {
@@ -72,7 +73,7 @@ std::string size(const World &world)
   if (world.growth)
     out << word << steps(growth_step(world)) << " steps of " << (world.phase ? "growth" : "heat");
   if (world.solid)
-    out << word << steps(solid::stable_step(*world.solid)) << " steps of the solid";
+    out << word << count_solid_steps(world).substeps << " steps of the solid";
   if (!world.growth && !world.solid)
     out << word << steps(coupling_step(world)) << " steps";
   double bytes = 0.;

@@ -7,12 +7,13 @@
 #include "melt/thin_interface.h"
 #include "observe.h"
 #include "record/stopwatch.h"
+#include "recorded_times.h"
 #include "scene/schedule.h"
 #include "scene/units.h"
 #include "solid/moving_walls.h"
 
 Recorder::Recorder(const scene::Scene &scene, record::Writer &out)
-    : writer(out), tolerance(1e-9 * scene.clock.end)
+    : writer(out), tolerance(1e-9 * scene.clock.end), events(recorded_times(scene))
 {
   const double end = scene.clock.end;
   if (scene.growth && scene.heat)
@@ -21,49 +22,15 @@ Recorder::Recorder(const scene::Scene &scene, record::Writer &out)
   if (scene.phase_field && interface_warning.empty())
     interface_warning = melt::profile_warning(
         scene.phase_field->width, scene.domain.spacing().maxCoeff(), scene.growth.has_value());
-  std::vector<std::string> scheduled_supports;
   for (const auto &probe : scene.probes)
+    if (!std::holds_alternative<scene::ReactionProbe>(probe.kind))
+      scheduled_probes.push_back({&probe, scene::sample_times(probe, end), 0});
+  for (const AskedReaction &asked : asked_reactions(scene))
   {
-    auto times = scene::sample_times(probe, end);
-    if (const auto *reaction = std::get_if<scene::ReactionProbe>(&probe.kind))
-    {
-      scheduled_supports.push_back(reaction->support);
-      const double interval = scene::sample_interval(probe, end);
-      schedule_reaction(probe.name, reaction->support, {times, interval / 2, end});
-    }
-    else
-    {
-      events.insert(events.end(), times.begin(), times.end());
-      scheduled_probes.push_back({&probe, std::move(times), 0});
-    }
+    ReactionWindow window(asked.sampling);
+    std::vector<double> own = apart_by(tolerance, window.events());
+    reactions.push_back({asked.name, asked.support, std::move(window), std::move(own), 0});
   }
-  for (const auto &support : scene.supports)
-    if (std::find(scheduled_supports.begin(), scheduled_supports.end(), support.name) ==
-        scheduled_supports.end())
-    {
-      scene::Probe probe;
-      probe.kind = scene::ReactionProbe{support.name};
-      const double interval = scene::sample_interval(probe, end);
-      schedule_reaction("reaction " + support.name, support.name,
-                        {scene::sample_times(probe, end), interval / 2, end});
-    }
-  std::sort(events.begin(), events.end());
-  events.erase(std::unique(events.begin(), events.end(),
-                           [&](double a, double b) { return b - a <= tolerance; }),
-               events.end());
-}
-
-void Recorder::schedule_reaction(const std::string &name, const std::string &support,
-                                 const ReactionSampling &sampling)
-{
-  ReactionWindow window(sampling);
-  auto own = window.events();
-  std::sort(own.begin(), own.end());
-  own.erase(
-      std::unique(own.begin(), own.end(), [&](double a, double b) { return b - a <= tolerance; }),
-      own.end());
-  events.insert(events.end(), own.begin(), own.end());
-  reactions.push_back({name, support, std::move(window), std::move(own), 0});
 }
 
 double Recorder::next_event(const double time) const

@@ -60,8 +60,6 @@ private:
     std::vector<double> events;
     std::size_t next = 0;
   };
-  void schedule_reaction(const std::string &name, const std::string &support,
-                         const ReactionSampling &);
   bool reaches_time(const std::vector<double> &times, std::size_t next, double time) const;
   bool reaches_compression(const ScheduledProbe &, const World &) const;
   void observe_probe(const scene::Probe &, const World &);
