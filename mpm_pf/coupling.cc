@@ -71,8 +71,26 @@ namespace
     return material;
   }
 
+  /// Nothing crosses a symmetry side; lines fitted to one half of what is symmetric do not know.
+  void vanish_across_symmetry_sides(medium::Velocity &velocity, const medium::Mesh &mesh)
+  {
+    const auto symmetric = [&](const scene::Edge side)
+    { return mesh.side(side) == scene::Boundary::symmetry; };
+    const int nx = mesh.nodes[0], ny = mesh.nodes[1];
+    for (const bool high : {false, true})
+    {
+      if (symmetric(high ? scene::Edge::right : scene::Edge::left))
+        for (int j = 0; j < ny; ++j)
+          velocity.x(high ? nx - 1 : 0, j) = 0.;
+      if (symmetric(high ? scene::Edge::top : scene::Edge::bottom))
+        for (int i = 0; i < nx; ++i)
+          velocity.y(i, high ? ny - 1 : 0) = 0.;
+    }
+  }
+
   void fill_velocity_ghosts(World &w)
   {
+    vanish_across_symmetry_sides(*w.velocity, *w.mesh);
     medium::fill_ghosts(w.velocity->x, *w.mesh, medium::Parity::odd_in_x);
     medium::fill_ghosts(w.velocity->y, *w.mesh, medium::Parity::odd_in_y);
     if (w.walls)

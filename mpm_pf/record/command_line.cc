@@ -86,7 +86,8 @@ namespace record
     app.add_flag("--force", command.force, "overwrite a record; run past a refused step limit");
     const auto *explained =
         app.add_option("--explain", explain,
-                       "manual entry of a key, a section, a function or a quantity, or 'all'");
+                       "manual entry of a key, a section, a function or a quantity, or 'all'")
+            ->expected(0, 1);
     Parsed parsed;
     try
     {

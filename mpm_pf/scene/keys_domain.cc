@@ -37,7 +37,8 @@ namespace scene
           .require("size", &Domain::size, positive(Dimension::length), "Width and height.", "")
           .require("cells", &Domain::cells, between(1, 100000),
                    "Number of cells in x and y (cells, not nodes); fields and walls want three at "
-                   "least, two moving walls five between them.",
+                   "least, two moving walls five between them; square ones wherever a solid or a "
+                   "growing crystal is on.",
                    "")
           .chosen_by("accuracy")
           .add("boundary", &Domain::boundary, any(),

@@ -81,12 +81,13 @@ namespace scene
                  "noise",
                  "Thermal noise as a conserved random heat current in Eq. (2); Eq. (1) gets "
                  "none: only the conserved noise matters for side branches.")
-          .require("strength", &Noise::strength, positive(Dimension::area),
-                   "F_u: the variance of theta in still melt is F_u/dx^2, averaged over waves that "
-                   "the mesh resolves. Waves of few cells stand higher: with short steps by 1.16 "
-                   "beside [growth] (nine-point Laplacian), at 0.8 of the limit by 1.9 (heat "
-                   "alone) and 2.9.",
-                   "")
+          .require(
+              "strength", &Noise::strength, positive(Dimension::area),
+              "F_u: the variance of theta in still melt is F_u/(dx dy), averaged over waves that "
+              "the mesh resolves. Waves of few cells stand higher: with short steps by 1.16 "
+              "beside [growth] (nine-point Laplacian), at 0.8 of the limit by 1.9 (heat "
+              "alone) and 2.9.",
+              "")
           .add("seed", &Noise::seed, any(), "Key of the counter-based generator.",
                "the same noise in every run, for any number of threads")
           .add("mirrored", &Noise::mirrored, any(),

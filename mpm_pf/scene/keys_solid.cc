@@ -103,7 +103,9 @@ namespace scene
               "displacement", &SupportInput::displacement, any(Dimension::length),
               "Displacement in x and y, of X, Y (where the material started) and t; \"free\" "
               "leaves a component free. An edge that is "
-              "free across itself may turn and bend. Where two edges meet and move one "
+              "free across itself may turn and bend; mpm_pf refuses to bend one by its own "
+              "displacement, by "
+              "more than a quarter of a cell. Where two edges meet and move one "
               "component differently the stress has no bound: forces there follow the cells. What "
               "lies at a corner of two supports counts for one of them.",
               "")
