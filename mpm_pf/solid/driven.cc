@@ -108,7 +108,7 @@ namespace solid
         if (at.scheme.affine())
           affine << points.lxx[p], points.lxy[p], points.lyx[p], points.lyy[p];
         const Stencil s = stencil(at, {points.x[p], points.y[p]});
-        for (int k = 0; k < 9; ++k)
+        const auto add = [&](const int k, const std::ptrdiff_t node, const auto &turn)
         {
           const int a = k % 3, b = k / 3;
           const double w = s.x.w[a] * s.y.w[b], m = points.mass[p] * w;
@@ -117,13 +117,21 @@ namespace solid
           for (int c = 0; c < 2; ++c)
             if (point.support[c] >= 0)
             {
-              const Image image = image_of(at.grid, s.i - 1 + a, s.j - 1 + b);
-              const double sign = image.sign[c];
-              DrivenPart &part = supports.driven_parts[image.node][c];
-              part.mass += m, part.momentum += sign * m * (velocity[c] + affine.row(c).dot(d));
+              DrivenPart &part = supports.driven_parts[node][c];
+              part.mass += m;
+              part.momentum += turn.sign[c] * m * (velocity[c] + affine.row(c).dot(d));
               if (count_reaction)
-                part.impulse += sign * (w * pushed[c] - stressed.row(c).dot(slope));
+                part.impulse += turn.sign[c] * (w * pushed[c] - stressed.row(c).dot(slope));
             }
+        };
+        const bool turned = near_mirror(at.grid, s.i, s.j, 1);
+        for (int k = 0; k < 9; ++k)
+        {
+          const int i = s.i - 1 + k % 3, j = s.j - 1 + k / 3;
+          if (!turned)
+            add(k, at.grid.at(i, j), Straight{});
+          else if (const Image image = image_of(at.grid, i, j); image.node >= 0)
+            add(k, image.node, image);
         }
       }
 

@@ -5,17 +5,26 @@ namespace solid
 {
   namespace
   {
-    // Call f(image, weight, gradient) for the nodes around x, those beyond a symmetry side by
+    // Call f(node, weight, gradient, turn) for the nodes around x, those beyond a symmetry side by
     // their images: what they get is turned as these are.
     template <typename F>
     void for_nodes(const Stencil &s, const Grid &grid, F &&f)
     {
+      if (near_mirror(grid, s.i, s.j, 1))
+      {
+        for (int k = 0; k < 9; ++k)
+        {
+          const int a = k % 3, b = k / 3;
+          const Image image = image_of(grid, s.i - 1 + a, s.j - 1 + b);
+          f(image.node, s.x.w[a] * s.y.w[b], Point(s.x.g[a] * s.y.w[b], s.x.w[a] * s.y.g[b]),
+            image);
+        }
+        return;
+      }
       for (int b = 0; b < 3; ++b)
         for (int a = 0; a < 3; ++a)
-        {
-          const Image image = image_of(grid, s.i - 1 + a, s.j - 1 + b);
-          f(image, s.x.w[a] * s.y.w[b], Point(s.x.g[a] * s.y.w[b], s.x.w[a] * s.y.g[b]));
-        }
+          f(grid.at(s.i - 1 + a, s.j - 1 + b), s.x.w[a] * s.y.w[b],
+            Point(s.x.g[a] * s.y.w[b], s.x.w[a] * s.y.g[b]), Straight{});
     }
 
     // Call f(x, n ds) for the Gauss points of the chord from tracer k; material lies to its left.
@@ -65,38 +74,38 @@ namespace solid
     const Grid &grid = at.grid;
     for (const Chord &chord : chords)
       if (const auto &outline = tracers.outlines[chord.outline]; outline[chord.tracer].loads != 0)
-        for_gauss_points(outline, chord.tracer,
-                         [&](const Point &x, const Point &normal)
-                         {
-                           if (!grid.surrounds(x))
-                             return; // it has parted from the material, or belongs to a rigid grip
-                           for_nodes(stencil(at, x), grid,
-                                     [&](const Image &image, const double w, const Point &)
-                                     {
-                                       const std::ptrdiff_t n = image.node;
-                                       if (sums[n].share == 0.)
-                                         sums[n].share = 1., nodes.push_back(n);
-                                       sums[n].loaded += image.apply(w * normal);
-                                     });
-                         });
+        for_gauss_points(
+            outline, chord.tracer,
+            [&](const Point &x, const Point &normal)
+            {
+              if (!grid.surrounds(x))
+                return; // it has parted from the material, or belongs to a rigid grip
+              for_nodes(stencil(at, x), grid,
+                        [&](const std::ptrdiff_t n, const double w, const Point &, const auto &turn)
+                        {
+                          if (sums[n].share == 0.)
+                            sums[n].share = 1., nodes.push_back(n);
+                          sums[n].loaded += turn.apply(w * normal);
+                        });
+            });
   }
 
   void EdgeShares::add_edges(const Tracers &tracers, const Interpolation &at)
   {
     const Grid &grid = at.grid;
     for (const Chord &chord : chords)
-      for_gauss_points(tracers.outlines[chord.outline], chord.tracer,
-                       [&](const Point &x, const Point &normal)
-                       {
-                         if (grid.surrounds(x))
-                           for_nodes(stencil(at, x), grid,
-                                     [&](const Image &image, const double w, const Point &)
-                                     {
-                                       const std::ptrdiff_t n = image.node;
-                                       if (sums[n].share != 0.)
-                                         sums[n].edge += image.apply(w * normal);
-                                     });
-                       });
+      for_gauss_points(
+          tracers.outlines[chord.outline], chord.tracer,
+          [&](const Point &x, const Point &normal)
+          {
+            if (grid.surrounds(x))
+              for_nodes(stencil(at, x), grid,
+                        [&](const std::ptrdiff_t n, const double w, const Point &, const auto &turn)
+                        {
+                          if (sums[n].share != 0.)
+                            sums[n].edge += turn.apply(w * normal);
+                        });
+          });
   }
 
   void EdgeShares::add_points(const Points &points, const Interpolation &at,
@@ -106,11 +115,10 @@ namespace solid
     {
       const double volume = points.mass[p] * inverse_density * points.jacobian[p];
       for_nodes(stencil(at, {points.x[p], points.y[p]}), at.grid,
-                [&](const Image &image, const double, const Point &slope)
+                [&](const std::ptrdiff_t n, const double, const Point &slope, const auto &turn)
                 {
-                  const std::ptrdiff_t n = image.node;
                   if (sums[n].share != 0.)
-                    sums[n].points += image.apply(volume * slope);
+                    sums[n].points += turn.apply(volume * slope);
                 });
     }
   }

@@ -37,64 +37,107 @@ namespace solid
       }
     };
 
-    Point acceleration(const Grid &grid, const Image &at)
+    // Direction d of the eight around a node.
+    std::array<int, 2> direction(const int d)
     {
-      return at.apply(grid.nodes[at.node].force() / grid.mass[at.node]);
+      const int k = d < 4 ? d : d + 1;
+      return {k % 3 - 1, k / 3 - 1};
     }
 
-    double whole_mass(const Grid &grid, const Image &at)
+    /// Calls f(k, node, turn) for the nodes behind that count; `turn` is an Image or Straight.
+    template <typename F>
+    void for_behind(const LightNode &light, const Grid &grid, F &&f)
     {
-      return grid.mass[at.node] / at.share;
+      if (light.straight)
+      {
+        for (int k = 0; k < 16; ++k)
+          if (light.weight[k] != 0.)
+            f(k, light.behind[k], Straight{});
+        return;
+      }
+      for (int k = 0; k < 16; ++k)
+        if (light.weight[k] != 0.)
+        {
+          const auto [a, b] = direction(k / 2);
+          const int steps = 1 + k % 2;
+          f(k, light.behind[k], image_of(grid, light.at[0] + steps * a, light.at[1] + steps * b));
+        }
     }
 
     // How many of a light node and its own images lean on a node behind it that is kept.
-    int count(const LightNode &light, const Image &behind)
+    int count(const Image &light, const Image &behind)
     {
       int times = 1;
       for (int c = 0; c < 2; ++c)
-        if (const bool on_side = light.self.sign[c] == 0.; behind.sign[c] < 0.)
+        if (const bool on_side = light.sign[c] == 0.; behind.sign[c] < 0.)
           times *= on_side ? 0 : 1;
         else if (behind.sign[c] == 0.)
           times *= on_side ? 1 : 2;
       return times;
     }
+    int count(const Image &, Straight)
+    {
+      return 1;
+    }
+
+    template <typename Turn>
+    Point acceleration(const Grid &grid, const std::ptrdiff_t n, const Turn &turn)
+    {
+      return turn.apply(grid.nodes[n].force() / grid.mass[n]);
+    }
+
+    Image self(const Grid &grid, const LightNode &light)
+    {
+      return light.straight ? Image{light.node, {1., 1.}, 1.}
+                            : image_of(grid, light.at[0], light.at[1]);
+    }
 
     // Weights of the nodes behind it: the heavier a direction's first node, the more it counts.
     // Both nodes of a direction where any has two, else the first ones.
-    bool find_behind(LightNode &light, const FreeComponents &free, const int i, const int j,
-                     const double least)
+    template <bool straight>
+    bool find_behind(LightNode &light, const FreeComponents &free, const double least)
     {
       const Grid &grid = free.grid;
-      const auto node = [&](const int a, const int b)
+      const auto [i, j] = light.at;
+      double omega = 0.; // mass of the node that was asked for last
+      const auto node = [&](const int a, const int b) -> std::ptrdiff_t
       {
-        Image at = image_of(grid, a, b);
-        if (at.node >= 0 && (whole_mass(grid, at) < least ||
-                             (free.at(at.node) & light.components) != light.components))
-          at.node = -1;
-        return at;
+        std::ptrdiff_t n = -1;
+        double whole = 1.;
+        if constexpr (!straight)
+        {
+          const Image image = image_of(grid, a, b);
+          n = image.node, whole = image.whole;
+          if (n < 0)
+            return -1;
+        }
+        else
+        {
+          if (!grid.has(a, b))
+            return -1;
+          n = grid.at(a, b);
+        }
+        omega = whole * grid.mass[n];
+        return omega >= least && (free.at(n) & light.components) == light.components ? n : -1;
       };
-      light.weight.fill(0.);
+      light.behind.fill(light.node), light.weight.fill(0.);
       double of_pairs = 0., of_single = 0.;
       std::array<double, 8> single{};
-      for (int k = 0, d = 0; k < 9; ++k)
+#pragma GCC unroll 8
+      for (int d = 0; d < 8; ++d)
       {
-        const int a = k % 3 - 1, b = k / 3 - 1;
-        if (k == 4)
+        const auto [a, b] = direction(d);
+        const std::ptrdiff_t first = node(i + a, j + b);
+        if (first < 0)
           continue;
-        if (const Image first = node(i + a, j + b); first.node >= 0)
-        {
-          const Image second = node(i + 2 * a, j + 2 * b);
-          const double omega = whole_mass(grid, first);
-          light.behind[2 * d] = first;
-          single[d] = omega, of_single += omega;
-          if (second.node >= 0)
-          {
-            light.behind[2 * d + 1] = second;
-            light.weight[2 * d] = 2. * omega, light.weight[2 * d + 1] = -omega;
-            of_pairs += omega;
-          }
-        }
-        ++d;
+        single[d] = omega, of_single += omega;
+        light.behind[2 * d] = first;
+        const std::ptrdiff_t second = node(i + 2 * a, j + 2 * b);
+        if (second < 0)
+          continue;
+        light.behind[2 * d + 1] = second;
+        light.weight[2 * d] = 2. * single[d], light.weight[2 * d + 1] = -single[d];
+        of_pairs += single[d];
       }
       if (of_pairs > 0.)
         for (double &w : light.weight)
@@ -111,16 +154,17 @@ namespace solid
     void find_impulse(LightNode &light, const std::vector<std::uint8_t> &leaning, const Grid &grid,
                       const double least, const double dt)
     {
-      const double mass = whole_mass(grid, light.self);
-      Point relative = acceleration(grid, light.self);
+      const Image itself = self(grid, light);
+      const double mass = itself.whole * grid.mass[light.node];
+      Point relative = acceleration(grid, light.node, itself);
       double yielding = 1. / (least - mass) + 1. / mass;
-      for (int k = 0; k < 16; ++k)
-        if (const double w = light.weight[k]; w != 0.)
-        {
-          const Image &at = light.behind[k];
-          relative -= w * acceleration(grid, at);
-          yielding += leaning[at.node] * w * w / whole_mass(grid, at);
-        }
+      for_behind(light, grid,
+                 [&](const int k, const std::ptrdiff_t n, const auto &turn)
+                 {
+                   const double w = light.weight[k];
+                   relative -= w * acceleration(grid, n, turn);
+                   yielding += leaning[n] * w * w / (turn.whole * grid.mass[n]);
+                 });
       light.impulse = dt / yielding * relative;
       for (int c = 0; c < 2; ++c)
         if (!(light.components & (1 << c)))
@@ -137,23 +181,28 @@ namespace solid
       const std::ptrdiff_t offset = grid.offset[j - grid.row_begin];
       for (int i = begin; i < end; ++i)
       {
-        if (grid.mass[offset + i] >= least || grid.mass[offset + i] <= 0.)
+        const double mass = grid.mass[offset + i];
+        if (mass >= least || mass <= 0.25 * rounding)
           continue;
         LightNode light;
-        light.self = image_of(grid, i, j);
-        if (const double mass = whole_mass(grid, light.self); mass >= least || mass <= rounding)
-          continue;
-        light.components = free.at(light.self.node);
-        if (light.components == 0 || !find_behind(light, free, i, j, least))
+        light.node = offset + i, light.at = {i, j};
+        light.straight = !near_mirror(grid, i, j, 2);
+        if (!light.straight)
+          if (const double mass = self(grid, light).whole * grid.mass[light.node];
+              mass >= least || mass <= rounding)
+            continue;
+        light.components = free.at(light.node);
+        if (light.components == 0 || !(light.straight ? find_behind<true>(light, free, least)
+                                                      : find_behind<false>(light, free, least)))
           continue;
         found.push_back(light);
       }
     }
 
-    void add(Grid &grid, const Image &at, const Point &impulse)
+    template <typename Turn>
+    void add(Grid &grid, const std::ptrdiff_t n, const Turn &turn, const Point &impulse)
     {
-      const std::ptrdiff_t n = at.node;
-      const Point dv = at.apply(impulse) / whole_mass(grid, at);
+      const Point dv = turn.apply(impulse) / (turn.whole * grid.mass[n]);
       grid.velocity[n].x += dv[0], grid.velocity[n].y += dv[1];
       if (!grid.change.empty())
         grid.change[n].x += dv[0], grid.change[n].y += dv[1];
@@ -172,9 +221,12 @@ namespace solid
       find_in_row(nodes.found[row], free, grid.row_begin + row, least);
     for (const auto &row : nodes.found)
       for (const LightNode &light : row)
-        for (int k = 0; k < 16; ++k)
-          if (light.weight[k] != 0.)
-            nodes.leaning[light.behind[k].node] += count(light, light.behind[k]);
+      {
+        const Image itself = self(grid, light);
+        for_behind(light, grid,
+                   [&](int, const std::ptrdiff_t n, const auto &turn)
+                   { nodes.leaning[n] += static_cast<std::uint8_t>(count(itself, turn)); });
+      }
 #pragma omp parallel for schedule(static) num_threads(threads)
     for (int row = 0; row < rows; ++row)
       for (LightNode &light : nodes.found[row])
@@ -182,11 +234,11 @@ namespace solid
     for (const auto &row : nodes.found)
       for (const LightNode &light : row)
       {
-        add(grid, light.self, -light.impulse);
-        for (int k = 0; k < 16; ++k)
-          if (light.weight[k] != 0.)
-            add(grid, light.behind[k],
-                count(light, light.behind[k]) * light.weight[k] * light.impulse);
+        const Image itself = self(grid, light);
+        add(grid, light.node, itself, -light.impulse);
+        for_behind(light, grid,
+                   [&](const int k, const std::ptrdiff_t n, const auto &turn)
+                   { add(grid, n, turn, count(itself, turn) * light.weight[k] * light.impulse); });
       }
   }
 } // namespace solid

@@ -22,11 +22,13 @@ namespace solid
 {
   struct LightNode
   {
-    Image self;
-    std::uint8_t components = 0;   // bit c: component c is not held
-    std::array<Image, 16> behind;  // I + d, I + 2d of each direction
-    std::array<double, 16> weight; // sum 1; unused: 0
-    Point impulse = Point::Zero(); // that it loses
+    std::ptrdiff_t node = 0;
+    std::array<int, 2> at{0, 0};           // its column and row
+    std::uint8_t components = 0;           // bit c: component c is not held
+    bool straight = true;                  // no symmetry side is near
+    std::array<std::ptrdiff_t, 16> behind; // I + d, I + 2d of each direction, or their images
+    std::array<double, 16> weight;         // sum 1; unused: 0
+    Point impulse = Point::Zero();         // that it loses
   };
 
   /// Kept from step to step for its memory only.

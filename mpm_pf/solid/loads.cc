@@ -120,9 +120,11 @@ namespace solid
       const Stencil s = stencil(solid.interpolation(), x);
       double share[9], sum = 0.;
       std::array<Image, 9> images;
+      const bool straight = !near_mirror(grid, s.i, s.j, 1);
       for (int k = 0; k < 9; ++k)
       {
-        images[k] = image_of(grid, s.i - 1 + k % 3, s.j - 1 + k / 3);
+        const int i = s.i - 1 + k % 3, j = s.j - 1 + k / 3;
+        images[k] = straight ? Image{grid.at(i, j), {1., 1.}, 1.} : image_of(grid, i, j);
         const std::ptrdiff_t n = images[k].node;
         share[k] = grid.mass[n] > 0. ? s.x.w[k % 3] * s.y.w[k / 3] * loads.shares[n] : 0.;
         sum += share[k];

@@ -35,14 +35,14 @@ namespace solid
 
   Image image_of(const Grid &grid, int i, int j)
   {
-    Image image;
+    Image image{-1, {1., 1.}, 1.};
     for (const Mirror &mirror : grid.mirrors)
     {
       int &k = mirror.axis == 0 ? i : j;
       if ((k - mirror.row) * mirror.side < 0)
         k = 2 * mirror.row - k, image.sign[mirror.axis] = -1.;
       else if (k == mirror.row)
-        image.sign[mirror.axis] = 0., image.share *= 0.5;
+        image.sign[mirror.axis] = 0., image.whole *= 2.;
     }
     if (grid.has(i, j))
       image.node = grid.at(i, j);

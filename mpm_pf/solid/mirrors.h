@@ -9,6 +9,8 @@
 // supports, would leave a velocity along the side a slope across it.
 #pragma once
 
+#include <cstdlib>
+
 #include "solid/grid.h"
 
 namespace solid
@@ -16,13 +18,30 @@ namespace solid
   /// A node, or the one inside of which it is the image.
   struct Image
   {
-    std::ptrdiff_t node = -1;           // -1: without memory
-    std::array<double, 2> sign{1., 1.}; // of components: -1 beyond a side across it, 0 on one
-    double share = 1.;                  // of the whole's mass that it has: 1/2 on a side
+    std::ptrdiff_t node;        // -1: without memory
+    std::array<double, 2> sign; // of components: -1 beyond a side across it, 0 on one, else 1
+    double whole;               // the whole's mass over its own: 2 on a side, 4 where two meet
 
     Point apply(const Point &v) const { return {sign[0] * v[0], sign[1] * v[1]}; }
   };
   Image image_of(const Grid &, int i, int j);
+
+  /// A node that no side turns, used as an Image where that is known: most are.
+  struct Straight
+  {
+    static constexpr std::array<double, 2> sign{1., 1.};
+    static constexpr double whole = 1.;
+    const Point &apply(const Point &v) const { return v; }
+  };
+  /// May a node at most `reach` from (i, j) be on a side or beyond?
+  inline bool near_mirror(const Grid &grid, const int i, const int j, const int reach)
+  {
+    for (const Mirror &mirror : grid.mirrors)
+      if (std::abs((mirror.axis == 0 ? i : j) - mirror.row) <= reach)
+        return true;
+    return false;
+  }
+
   /// Does node (i, j) lie on a symmetry side across `axis`?
   bool on_mirror(const Grid &, int axis, int i, int j);
 

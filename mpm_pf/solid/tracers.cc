@@ -18,6 +18,30 @@ namespace solid
     return tracers;
   }
 
+  namespace
+  {
+    // As transferred_velocity() beside a symmetry side, out of the way of the others.
+    __attribute__((noinline)) Point transferred_by_images(const Grid &grid, const Stencil &s)
+    {
+      Point brought = Point::Zero(), pushed = Point::Zero();
+      double weight = 0., mass = 0.;
+      for (int b = 0; b < 3; ++b)
+        for (int a = 0; a < 3; ++a)
+        {
+          const Image at = image_of(grid, s.i - 1 + a, s.j - 1 + b);
+          if (at.node < 0 || grid.mass[at.node] <= 0.)
+            continue;
+          const double w = s.x.w[a] * s.y.w[b], node_mass = at.whole * grid.mass[at.node];
+          const Velocity &v = grid.velocity[at.node];
+          const Point momentum = at.whole * at.apply(grid.nodes[at.node].momentum());
+          brought += w / node_mass * momentum;
+          pushed += w * (node_mass * at.apply({v.x, v.y}) - momentum);
+          weight += w, mass += w * node_mass;
+        }
+      return weight > 1e-9 ? Point(brought / weight + pushed / mass) : Point(0., 0.);
+    }
+  } // namespace
+
   Point transferred_velocity(const Interpolation &at, const Point &x)
   {
     const Grid &grid = at.grid;
@@ -26,22 +50,21 @@ namespace solid
         !grid.has(i + 1, j - 1) || !grid.has(i, j))
       return Point::Zero();
     const Stencil s = stencil(at, x);
+    if (near_mirror(grid, s.i, s.j, 1))
+      return transferred_by_images(grid, s);
     Point brought = Point::Zero(), pushed = Point::Zero();
     double weight = 0., mass = 0.;
     for (int b = 0; b < 3; ++b)
       for (int a = 0; a < 3; ++a)
       {
-        const Image image = image_of(grid, s.i - 1 + a, s.j - 1 + b);
-        const std::ptrdiff_t n = image.node;
-        if (n < 0 || grid.mass[n] <= 0.)
+        const std::ptrdiff_t n = grid.at(s.i - 1 + a, s.j - 1 + b);
+        if (grid.mass[n] <= 0.)
           continue;
         const double w = s.x.w[a] * s.y.w[b];
-        const Point momentum = image.apply(grid.nodes[n].momentum()) / image.share;
-        const Point after = image.apply({grid.velocity[n].x, grid.velocity[n].y});
-        const double node_mass = grid.mass[n] / image.share;
-        brought += w / node_mass * momentum;
-        pushed += w * (node_mass * after - momentum);
-        weight += w, mass += w * node_mass;
+        const Point momentum = grid.nodes[n].momentum();
+        brought += w / grid.mass[n] * momentum;
+        pushed += w * (grid.mass[n] * Point(grid.velocity[n].x, grid.velocity[n].y) - momentum);
+        weight += w, mass += w * grid.mass[n];
       }
     return weight > 1e-9 ? Point(brought / weight + pushed / mass) : Point(0., 0.);
   }
