@@ -72,7 +72,7 @@ def asymmetry12(results):
             curves.append(panels.Curve(panel, name, percent, values))
         one.axhline(limit, color=style.GREY, lw=0.7, ls="--", label="asked of the mirrors")
         one.set(yscale="log", xlabel="compression / %", ylabel=label, title=panel, ylim=(FLOOR / 3, 1))
-    axes[0].legend(loc="lower right", title=f"{run.scene['domain']['cells'][0]} cells across")
+    axes[0].legend(loc="center right", bbox_to_anchor=(1.0, 0.69), title=f"{run.scene['domain']['cells'][0]} cells across")
     return figure, curves
 
 
