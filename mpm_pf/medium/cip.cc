@@ -65,13 +65,8 @@ namespace medium
 #pragma omp simd
       for (int i = 0; i < mesh.nodes[0]; ++i)
         carry_node(r, i, departure(w, i, step), cell);
-      for_mirror_nodes(mesh, j,
-                       [&](int i, const MirrorSides &sides)
-                       {
-                         Departure d = departure(w, i, step);
-                         if (depart_from_side(d, sides))
-                           carry_node(r, i, d, cell);
-                       });
+      for_entering_nodes(mesh, j, w, step,
+                         [&](int i, const Departure &d) { carry_node(r, i, d, cell); });
       return largest_shift(w, mesh.nodes[0], step);
     }
   } // namespace

@@ -94,13 +94,8 @@ namespace medium
 #pragma omp simd
       for (int i = 0; i < count; ++i)
         carry_node(r, i, departure(w, i, step), spacing);
-      for_mirror_nodes(mesh, j,
-                       [&](int i, const MirrorSides &sides)
-                       {
-                         Departure d = departure(w, i, step);
-                         if (depart_from_side(d, sides))
-                           carry_node(r, i, d, spacing);
-                       });
+      for_entering_nodes(mesh, j, w, step,
+                         [&](int i, const Departure &d) { carry_node(r, i, d, spacing); });
       return largest_shift(w, count, step);
     }
   } // namespace

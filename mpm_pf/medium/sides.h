@@ -81,6 +81,21 @@ namespace medium
     return x || y;
   }
 
+  /// Calls `carry(i, departure)` for the nodes of row j where material enters, with the departure
+  /// from the side.
+  template <class Carry>
+  void for_entering_nodes(const Mesh &mesh, int j, const VelocityRows &w, StepInCells step,
+                          const Carry &carry)
+  {
+    for_mirror_nodes(mesh, j,
+                     [&](int i, const MirrorSides &sides)
+                     {
+                       Departure d = departure(w, i, step);
+                       if (depart_from_side(d, sides))
+                         carry(i, d);
+                     });
+  }
+
   /// Does a shift, in cells, cross a side? What is smaller is round-off of a motion along it.
   inline bool crosses(double shift)
   {

@@ -39,23 +39,23 @@ namespace solid
     {
       Point v = Point::Zero();
       each(p,
-           [&](const Image &at, const double w)
+           [&](const Image &image, const double w)
            {
-             if (const double mass = grid.mass[at.node]; mass > 0.)
-               v += at.apply(w * grid.nodes[at.node].momentum() / mass);
+             if (const double mass = grid.mass[image.node]; mass > 0.)
+               v += image.apply(w * grid.nodes[image.node].momentum() / mass);
            });
       once[p] = v;
-      each(p, [&](const Image &at, const double w)
-           { again[at.node] += at.apply(w * points.mass[p] * v); });
+      each(p, [&](const Image &image, const double w)
+           { again[image.node] += image.apply(w * points.mass[p] * v); });
     }
     for (std::size_t p = 0; p < points.active; ++p)
     {
       Point twice = Point::Zero();
       each(p,
-           [&](const Image &at, const double w)
+           [&](const Image &image, const double w)
            {
-             if (const double mass = grid.mass[at.node]; mass > 0.)
-               twice += at.apply(w * again[at.node] / mass);
+             if (const double mass = grid.mass[image.node]; mass > 0.)
+               twice += image.apply(w * again[image.node] / mass);
            });
       points.vx[p] = 2. * once[p][0] - twice[0], points.vy[p] = 2. * once[p][1] - twice[1];
     }

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "centre.h"
 #include "coupling.h"
 #include "record/checkpoint.h"
 #include "scene_of.h"
@@ -10,6 +11,8 @@
 
 namespace
 {
+  using simulated::centre;
+
   scene::Scene marker(const double size, const int cells, const scene::Disc &disc,
                       const double width)
   {
@@ -56,19 +59,6 @@ namespace
       for (int i = 0; i < mesh.nodes[0]; ++i)
         sum += std::abs(phi(i, j) - other(i, j));
     return sum / (mesh.nodes[0] * mesh.nodes[1]);
-  }
-
-  /// Centre of the solid part (1 + phi)/2 along x.
-  double centre(const World &world)
-  {
-    double weight = 0., sum = 0.;
-    for (int j = 0; j < world.mesh->nodes[1]; ++j)
-      for (int i = 0; i < world.mesh->nodes[0]; ++i)
-      {
-        const double solid = 0.5 * (1. + world.phase->value(i, j));
-        weight += solid, sum += solid * world.mesh->position(i, j)[0];
-      }
-    return sum / weight;
   }
 } // namespace
 

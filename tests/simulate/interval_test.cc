@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "centre.h"
 #include "costs.h"
 #include "coupling.h"
 #include "forecast.h"
@@ -60,19 +61,6 @@ namespace
       for (int i = 0; i < a.mesh->nodes[0]; ++i)
         most = std::max(most, std::abs(a.phase->value(i, j) - b.phase->value(i, j)));
     return most;
-  }
-
-  /// Centre of the solid part (1 + phi)/2 along x.
-  double centre(const World &world)
-  {
-    double weight = 0., sum = 0.;
-    for (int j = 0; j < world.mesh->nodes[1]; ++j)
-      for (int i = 0; i < world.mesh->nodes[0]; ++i)
-      {
-        const double solid = 0.5 * (1. + world.phase->value(i, j));
-        weight += solid, sum += solid * world.mesh->position(i, j)[0];
-      }
-    return sum / weight;
   }
 } // namespace
 
