@@ -4,6 +4,10 @@
     postprocess/table.py RESULTS_DIR [CASE ...]       prints the rows of these cases (of all)
     postprocess/table.py RESULTS_DIR --refresh FILE   writes the values of today into the rows that FILE already has
 
+A page may have tables of two suites: below a line `<!-- checks: full -->` rows are refreshed from a campaign of the full suite alone, until the
+next such line. Between the marks `<!-- campaign full: begin -->` and `<!-- campaign full: end -->` stands what the campaign came to, between
+`<!-- runs full: begin -->` and its end, on the page of a case, what each run of it took.
+
 Exit codes: 0 printed or written, 2 bad input, 4 the folder holds no verdict.
 """
 
@@ -11,7 +15,9 @@ import re
 import sys
 from pathlib import Path
 
-from written import Unusable, folder_of, program, read_json
+import costs
+from between_marks import write_between_marks
+from written import Unusable, folder_of, program, read_json, read_shaped, write_whole
 
 HEAD = "| case | check | value | limit | unit | |"
 
@@ -44,18 +50,36 @@ def line(row):
     return "| " + " | ".join(row) + " |"
 
 
-def refreshed(text, found):
-    """`text` with its rows of checks (below lines HEAD) as `found`, rows by (case, check), has them; their choice and order stay."""
-    lines, inside = text.split("\n"), False
+def refreshed(text, found, suite):
+    """`text` with its rows of checks (below lines HEAD) as `found`, rows by (case, check) of a campaign of `suite`, has them; their choice and order stay."""
+    lines, inside, wanted = text.split("\n"), False, None
     for i, old in enumerate(lines):
+        named = re.fullmatch(r"<!-- checks: (\w+) -->", old)
+        wanted = named[1] if named else wanted
         inside = old == HEAD or (inside and old.startswith("|"))
-        if not inside or old == HEAD or re.match(r"\|-", old):
+        if not inside or old == HEAD or re.match(r"\|-", old) or wanted not in (None, suite):
             continue
         case, check = (cell.strip() for cell in old.split("|")[1:3])
         if (case, check) not in found:
             raise Unusable(f"the campaign has no check \"{check}\" of {case}; take its row out, or run that case")
         lines[i] = line(found[case, check])
     return "\n".join(lines)
+
+
+def refresh(page, results, found):
+    """Writes rows of checks, what the campaign came to and the runs of the page's case into a page that has places for them."""
+    try:
+        old = page.read_text(encoding="utf-8")
+    except OSError as error:
+        raise Unusable(f"{page} cannot be read ({error.strerror})") from None
+    marks = re.findall(r"<!-- (campaign|runs) (\w+): begin -->", old)
+    campaign = read_shaped(results / "campaign.json", "suite", "cases") if marks or "<!-- checks: " in old else {"suite": None}
+    write_whole(page, refreshed(old, found, campaign["suite"]))
+    for kind, suite in marks:
+        if suite == campaign["suite"]:
+            case = page.resolve().parent.name
+            lines = costs.sentence(campaign) if kind == "campaign" else costs.of_runs(read_shaped(results / case / "verdict.json", "case", "suite", "runs"))
+            write_between_marks(page, f"{kind} {suite}", "\n".join(lines) + "\n")
 
 
 def main(arguments):
@@ -78,11 +102,7 @@ def main(arguments):
     if file is None:
         print("\n".join([HEAD, "|---|---|---|---|---|---|", *map(line, lines)]))
         return 0
-    try:
-        old = file.read_text(encoding="utf-8")
-    except OSError as error:
-        raise Unusable(f"{file} cannot be read ({error.strerror})") from None
-    file.write_text(refreshed(old, {row[:2]: row for row in lines}), encoding="utf-8")
+    refresh(file, results, {row[:2]: row for row in lines})
     return 0
 
 

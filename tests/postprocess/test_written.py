@@ -72,6 +72,29 @@ class Programs(Folders):
         self.assertIn("| 0.7 |", page.read_text())
         self.refused(2, "none.md cannot be read", "table.py", self.folder, "--refresh", self.folder / "none.md")
 
+    def test_of_the_table_tell_suites_apart_and_write_what_a_campaign_came_to(self):
+        made = {"commit": "0123456789", "dirty": "no"}
+        run = {"name": "mpm_pf", "solver": "mpm_pf", "scene": "scene.toml", "set": ["mpm.transfer='flip'"], "cpu_s": 12.5, "wall_s": 7.0, "peak_rss_bytes": 3e7}
+        runs = [{**run, "provenance": made, "reused": False}, {**run, "name": "refused", "set": [], "cpu_s": 0.5}]
+        case = {"case": "bar", "suite": "full", "checks": [CHECK, {**CHECK, "name": "forecast, mpm_pf", "status": "fail"}], "runs": runs}
+        self.write("results/campaign.json", {"suite": "full", "cases": [case], "wall_s": 9.0, "cores": 2})
+        self.write("results/bar/verdict.json", case)
+        head = "| case | check | value | limit | unit | |\n|---|---|---|---|---|---|\n| bar | tip | 0.7 | 1 | - | pass |\n\n"
+        marks = "".join(f"<!-- {name}: begin -->\n<!-- {name}: end -->\n" for name in ("campaign full", "campaign quick", "runs full"))
+        self.write("bar/page.md", f"<!-- checks: quick -->\n{head}<!-- checks: full -->\n{head}{marks}")
+        self.assertEqual(program("table.py", self.folder / "results", "--refresh", self.folder / "bar/page.md"), (0, "", ""))
+        page = (self.folder / "bar/page.md").read_text()
+        self.assertEqual((page.count("tip | 0.7 |"), page.count("tip | 0.5 |")), (1, 1))
+        self.assertLess(page.index("tip | 0.7 |"), page.index("tip | 0.5 |"))
+        self.assertIn("commit 0123456: 1 cases, 2 runs, 13 s of CPU in 9 s of wall on 2 cores;\n", page)
+        self.assertIn("2 checks (1 of them forecasts of runs), 1 passed, not these: bar, forecast, mpm_pf (fail).\n", page)
+        self.assertIn('| mpm_pf | mpm_pf | scene.toml `--set "mpm.transfer=\'flip\'"` | – | – | 12.5 | 7 | 30 |\n| refused |', page)
+        self.assertIn("<!-- campaign quick: begin -->\n<!-- campaign quick: end -->", page)
+        runs[0]["reused"] = True  # then nothing says what the campaign takes of wall time
+        self.write("results/campaign.json", {"suite": "full", "cases": [case], "wall_s": 9.0, "cores": 2})
+        program("table.py", self.folder / "results", "--refresh", self.folder / "bar/page.md")
+        self.assertIn("13 s of CPU;\n", (self.folder / "bar/page.md").read_text())
+
     def test_of_tables_know_a_file_without_marks_and_one_that_is_broken(self):
         row = {"solver": "mpm_pf", "status": "complete", "cpu_s": 1.0, "peak_rss_bytes": 3e7, "settings": {"accuracy": "draft"}, "errors": {"tip": 0.1}}
         trade = {"case": "bar", "measures": ["tip"], "rows": [row], "reference": {"uncertainty": {}}, "provenance": {}}
