@@ -40,7 +40,7 @@ def of_runs(verdict):
     runs = sorted(verdict["runs"], key=lambda run: -run["cpu_s"])
     yield f"{command(verdict, verdict['case'])}, {programs(runs)}, {seconds(sum(run['cpu_s'] for run in runs))} s of CPU in all:"
     yield ""
-    yield "| run | solver | scene | steps | material points | CPU s | wall s | MB |"
+    yield "| run | solver | scene | steps | points | CPU s | wall s | MB |"
     yield "|---|---|---|---|---|---|---|---|"
     for run in runs:
         changed = " ".join("--set " + quoted(one) for one in run["set"])

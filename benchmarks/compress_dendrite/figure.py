@@ -20,10 +20,12 @@ def figure11(results):
     spacing = panels.background_mesh(run)[1]
     figure, axes = pyplot.subplots(figsize=(style.SINGLE, 2.6))
     axes.add_patch(patches.Rectangle((-width / 2, -height / 2), width, height, fill=False, lw=0.9))
-    arm = 0.26 * height
+    seed = run.scene["body"][0]["radius"]
     for dx, dy in ((1, 0), (-1, 0), (0, 1), (0, -1)):
-        shape = {"width": 4, "head_width": 9, "head_length": 14, "color": style.MATERIAL_POINTS}
-        axes.add_patch(patches.FancyArrow(0, 0, arm * dx, arm * dy, **shape))
+        shape = {"width": 3, "head_width": 9, "head_length": 12, "color": style.MATERIAL_POINTS}
+        axes.add_patch(patches.FancyArrow(1.5 * seed * dx, 1.5 * seed * dy, 0.2 * height * dx, 0.2 * height * dy, **shape))
+    axes.add_patch(patches.Circle((0, 0), seed, facecolor=style.SOLID_FILL, edgecolor="black", lw=0.7, zorder=3))
+    axes.text(2 * seed, 2 * seed, "seed, grows\nalong its axes", va="bottom", fontsize=8)
     for side in (1, -1):
         panels.wall(axes, (-width / 2, side * height / 2 - (0.05 * height if side < 0 else 0)), (width, 0.05 * height))
         for x in (-0.42 * width, 0.42 * width):
@@ -34,9 +36,10 @@ def figure11(results):
     axes.text(0, -0.41 * height, melt, ha="center", va="center", fontsize=8)
     for side in (1, -1):
         axes.text(side * 0.53 * width, 0, "adiabatic", rotation=90, ha="center", va="center", fontsize=8)
-    nodes = f"{width / spacing[0]:.0f} x {height / spacing[1]:.0f} cells of {spacing[0]:g} $W_0$"
-    axes.text(0, -0.78 * height, nodes, ha="center", fontsize=8)
-    axes.set(xlim=(-0.6 * width, 0.6 * width), ylim=(-0.85 * height, 0.7 * height))
+    panels.dimension(axes, (-width / 2, -0.76 * height), (width / 2, -0.76 * height), f"{width:g} $W_0$: {width / spacing[0]:.0f} cells", (0, -0.07 * height))
+    panels.dimension(axes, (0.6 * width, -height / 2), (0.6 * width, height / 2), "", (0, 0))
+    axes.text(0.645 * width, 0, f"{height:g} $W_0$: {height / spacing[1]:.0f} cells", rotation=90, ha="center", va="center")
+    axes.set(xlim=(-0.6 * width, 0.7 * width), ylim=(-0.9 * height, 0.7 * height))
     panels.plain(axes)
     figure.subplots_adjust(0.01, 0.01, 0.99, 0.99)
     return figure, []

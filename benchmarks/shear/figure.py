@@ -27,10 +27,13 @@ def initial_boundary(axes, run):
         first = run.snapshot_of("phi", 0.0, "grid")
     except record.Missing:
         name, curves = run.outline_of(BOUNDARIES, 0.0)
-        axes.set_title(f"initial {name}", fontsize=8)
+        axes.set_title(f"initial {name}", fontsize=9)
         return [panels.outlines(axes, "initial boundary", name, curves, lw=0.9, color=style.MATERIAL_POINTS)]
-    levels = axes.contour(first.x, first.y, first.fields["phi"], np.linspace(-0.9, 0.9, 7), linewidths=0.6)
-    axes.set_title(r"initial $\phi$", fontsize=8)
+    levels = axes.contour(first.x, first.y, first.fields["phi"], np.linspace(-0.9, 0.9, 7), linewidths=0.7, cmap="viridis")
+    axes.set_title(r"initial $\phi$ on the background mesh", fontsize=9)
+    bar = panels.colour_bar(axes.figure, levels, axes, r"$\phi$", shrink=0.75)
+    bar.set_ticks(levels.levels)
+    bar.lines[0].set_linewidth(3)
     return [
         panels.Curve("initial boundary", f"phi = {level:.1f}", *segment.T)
         for level, segments in zip(levels.levels, levels.allsegs)
@@ -42,7 +45,7 @@ def initial_boundary(axes, run):
 def figure8(results):
     run = results.record("shear", "mpm_pf")
     (x0, y0), (width, height) = bar(run)
-    figure, (left, right) = pyplot.subplots(1, 2, figsize=(style.DOUBLE, 2.2))
+    figure, (left, right) = pyplot.subplots(1, 2, figsize=(style.DOUBLE, 2.2), layout="constrained")
     left.add_patch(patches.Rectangle((x0, y0), width, height, facecolor=style.SOLID_FILL, edgecolor="black", lw=0.8))
     shift = 0.2 * height
     sheared = [(x0 - shift, y0), (x0 + width - shift, y0), (x0 + width + shift, y0 + height), (x0 + shift, y0 + height)]
@@ -62,7 +65,7 @@ def figure8(results):
             ylim=(lower[1] - 0.15, lower[1] + spacing[1] * shape[0] + 0.15),
         )
         panels.plain(axes)
-    figure.subplots_adjust(0.01, 0.02, 0.99, 0.92, wspace=0.03)
+    panels.lettered((left, right))
     return figure, curves
 
 
@@ -100,8 +103,8 @@ def figure10(results):
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(style.DOUBLE, 2.9), layout="constrained")
     entries = []
     for name, run, options in (
-        ("finite elements", elements, {"color": style.FINITE_ELEMENTS}),
-        ("material points", points, {"color": style.MATERIAL_POINTS, "marker": "o", "ms": 2.2, "lw": 0.8}),
+        ("finite elements", elements, {"color": style.FINITE_ELEMENTS, "lw": 1.4}),
+        ("material points", points, {"color": style.MATERIAL_POINTS, "marker": "o", "ms": 3.5, "mfc": "none", "mew": 0.8, "ls": "none"}),
     ):
         line = run.line("sampling line", END)
         entries.append((name, line.position[:, 0], line["von_mises"] / 1e6, options))
