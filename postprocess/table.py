@@ -5,7 +5,7 @@
     postprocess/table.py RESULTS_DIR --refresh FILE   writes the values of today into the rows that FILE already has
 
 A page may have tables of two suites: below a line `<!-- checks: full -->` rows are refreshed from a campaign of the full suite alone, until the
-next such line. Between the marks `<!-- campaign full: begin -->` and `<!-- campaign full: end -->` stands what the campaign came to, between
+next such line; the columns "taken" and "against" may be added to their head. Between the marks `<!-- campaign full: begin -->` and `<!-- campaign full: end -->` stands what the campaign came to, between
 `<!-- runs full: begin -->` and its end, on the page of a case, what each run of it took.
 
 Exit codes: 0 printed or written, 2 bad input, 4 the folder holds no verdict.
@@ -19,11 +19,12 @@ import costs
 from between_marks import write_between_marks
 from written import Unusable, folder_of, program, read_json, read_shaped, write_whole
 
-HEAD = "| case | check | value | limit | unit | |"
+COLUMNS = ("case", "check", "value", "limit", "unit", "")  # those of a whole table; "" is the status
+MORE = ("taken", "against")  # a page may ask for these, too: what was taken and what it was held against, where each is one number
 
 
-def number(value):
-    return "-" if value is None else f"{value:.3g}"
+def number(value, digits=3):
+    return "-" if value is None else f"{value:.{digits}g}"
 
 
 def limit_text(check):
@@ -42,27 +43,44 @@ def unit_of(check):
 def rows(folder):
     verdict = read_json(folder / "verdict.json", folder.parent.glob("*/verdict.json"))
     for check in verdict["checks"]:
-        yield (folder.name, check["name"], number(check["value"]), limit_text(check),
-               unit_of(check), check["status"])
+        yield {
+            "case": folder.name,
+            "check": check["name"],
+            "value": number(check["value"]),
+            "limit": limit_text(check),
+            "unit": unit_of(check),
+            "": check["status"],
+            "taken": number(check.get("taken"), 4),
+            "against": number(check.get("reference"), 4),
+        }
 
 
-def line(row):
-    return "| " + " | ".join(row) + " |"
+def line(row, columns=COLUMNS):
+    return "| " + " | ".join(row[name] for name in columns) + " |"
+
+
+def columns_of(text):
+    """The columns that a head of a table of checks names; None where the line is no such head."""
+    cells = tuple(cell.strip() for cell in text.split("|")[1:-1])
+    return cells if cells[:2] == COLUMNS[:2] and set(cells) <= set(COLUMNS + MORE) else None
 
 
 def refreshed(text, found, suite):
-    """`text` with its rows of checks (below lines HEAD) as `found`, rows by (case, check) of a campaign of `suite`, has them; their choice and order stay."""
-    lines, inside, wanted = text.split("\n"), False, None
+    """`text` with its rows of checks (below their heads) as `found`, rows by (case, check) of a campaign of `suite`, has them; their choice and order stay."""
+    lines, columns, wanted = text.split("\n"), None, None
     for i, old in enumerate(lines):
         named = re.fullmatch(r"<!-- checks: (\w+) -->", old)
         wanted = named[1] if named else wanted
-        inside = old == HEAD or (inside and old.startswith("|"))
-        if not inside or old == HEAD or re.match(r"\|-", old) or wanted not in (None, suite):
+        if head := columns_of(old):
+            columns = head
+            continue
+        columns = columns if old.startswith("|") else None
+        if not columns or re.match(r"\|-", old) or wanted not in (None, suite):
             continue
         case, check = (cell.strip() for cell in old.split("|")[1:3])
         if (case, check) not in found:
             raise Unusable(f"the campaign has no check \"{check}\" of {case}; take its row out, or run that case")
-        lines[i] = line(found[case, check])
+        lines[i] = line(found[case, check], columns)
     return "\n".join(lines)
 
 
@@ -100,9 +118,9 @@ def main(arguments):
         return 4
     lines = [row for case in cases for row in rows(results / case)]  # all of them before the first is printed
     if file is None:
-        print("\n".join([HEAD, "|---|---|---|---|---|---|", *map(line, lines)]))
+        print("\n".join(["| case | check | value | limit | unit | |", "|---|---|---|---|---|---|", *map(line, lines)]))
         return 0
-    refresh(file, results, {row[:2]: row for row in lines})
+    refresh(file, results, {(row["case"], row["check"]): row for row in lines})
     return 0
 
 

@@ -67,6 +67,11 @@ class Programs(Folders):
         page = self.folder / "page.md"
         self.assertEqual(program("table.py", self.folder, "--refresh", page), (0, "", ""))
         self.assertEqual(page.read_text(), head + "| bar | tip | 0.5 | 1 | - | pass |\n" + other)
+        more = "| case | check | taken | against | value | |\n|---|---|---|---|---|---|\n| bar | {} | {} | 0.5 | pass |\n"
+        self.write("bar/verdict.json", {"checks": [{**CHECK, "taken": 1.23456, "reference": 2.0}]})
+        self.write("page.md", more.format("tip", "0 | 0"))
+        self.assertEqual(program("table.py", self.folder, "--refresh", page), (0, "", ""))
+        self.assertEqual(page.read_text(), more.format("tip", "1.235 | 2"))
         self.write("page.md", head + "| bar | end | 0.7 | 1 | - | pass |\n")
         self.refused(2, 'no check "end" of bar', "table.py", self.folder, "--refresh", page)
         self.assertIn("| 0.7 |", page.read_text())
