@@ -10,7 +10,7 @@ import compression
 import panels
 
 IMAGES = {"mirrored in x": (-1, 1), "mirrored in y": (1, -1), "turned by half": (-1, -1)}
-SQUARE = 2.0  # W0: von Mises stresses are compared as means over such squares
+SQUARE = 4  # cells: von Mises stresses are compared as means over such squares
 
 
 def distances(points, curves, chunk=256):
@@ -39,13 +39,14 @@ def of_contour(run, time):
 
 
 def of_stress(run, time):
-    """Root mean square of the differences of von Mises stress, means over squares of 2 W0, over the yield stress."""
+    """Root mean square of the differences of von Mises stress, means over squares of four cells, over the yield stress."""
     snapshot = compression.nearest_snapshot(run, "von_mises", time, "points")
     size = np.array(run.scene["domain"]["size"])
-    shape = tuple(2 * int(np.ceil(s / 2 / SQUARE)) for s in size[::-1])
-    lower = middle_of(run) - 0.5 * SQUARE * np.array(shape[::-1])
+    square = SQUARE * np.array(panels.background_mesh(run)[1])
+    shape = tuple(2 * int(np.ceil(s / 2 / side)) for s, side in zip(size[::-1], square[::-1]))
+    lower = middle_of(run) - 0.5 * square * np.array(shape[::-1])
     stress = snapshot.fields["von_mises"] / (run.scene["solid"].get("yield_stress") or 1.0)
-    means = panels.point_means(snapshot.vertex, stress, lower, (SQUARE, SQUARE), shape)
+    means = panels.point_means(snapshot.vertex, stress, lower, square, shape)
     return {name: rms(means - means[:: signs[1], :: signs[0]]) for name, signs in IMAGES.items()}
 
 

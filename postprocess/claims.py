@@ -175,6 +175,9 @@ def of_stress(states):
     layer = last.y > last.wall - 2.0
     below = (last.y < last.wall - 5.0) & (last.y > last.wall - 15.0) & (last.x < last.x[layer].max())
     in_layer, in_column = (last.where(m, last.von_mises < 0.99) for m in (layer, below))
+    widths = [(s.x[s.y > s.wall - 2.0].max(), s.x[np.abs(s.y - (s.wall - 10.0)) < 1.0].max()) for s in states[1:]]
+    middle = last.x < 0.5 * widths[-1][0]
+    in_middle, beside = (last.where(layer & m, last.von_mises < 0.99) for m in (middle, ~middle))
     return [
         judge(
             "the stresses in the centre continually increase",
@@ -196,6 +199,14 @@ def of_stress(states):
             f"{100 * in_layer:.0f} % of the layer of 2 W0 at the wall is below 0.99 sigma_Y, {100 * in_column:.0f} % of the column 5 to 15 W0 below it",
             "most of it does, but hardly more than of the column below",
             in_layer > max(0.5, in_column),
+        ),
+        judge(
+            "this is attributed to the larger cross-section of the dendrite at the walls",
+            all(at_wall > 1.05 * under for at_wall, under in widths),
+            f"half-width at the wall and 10 W0 below it: {', '.join(f'{at_wall:.0f} and {under:.0f} W0' for at_wall, under in widths)} at 5, 10, 15 %; "
+            f"below 0.99 sigma_Y in the layer at 15 %: {100 * in_middle:.0f} % of its inner half, {100 * beside:.0f} % of its outer",
+            "the crystal is narrower at the wall than below it; what stays below the yield stress is the middle of the contact, which the wall holds sideways",
+            widths[-1][0] < widths[-1][1] and in_middle > max(0.8, beside),
         ),
     ]
 
