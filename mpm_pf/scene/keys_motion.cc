@@ -72,7 +72,8 @@ namespace scene
     {
       return Keys<Extension>("extension", "How the solid's velocity is carried into the melt.")
           .add("method", &Extension::method, any(), "Closest point, or a PDE in pseudo-time.",
-               "the same order, cheaper, without a count of iterations to choose")
+               "second order beside the front, where the PDE is of first order; cheaper, and "
+               "without a count of iterations to choose")
           .add("band", &Extension::band, at_least(3.),
                "Width of the band along the front in cells. Melt beyond it moves as the piece of "
                "front nearest to it. Cells cut by the front and their neighbours need a distance.",
