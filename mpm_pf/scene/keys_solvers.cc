@@ -40,7 +40,9 @@ namespace scene
                "without it cell averaging leaves pressures that never meet; 0.01 to 1 give the "
                "same answers")
           .add("step_fraction", &Mpm::step_fraction, up_to(1.), "Step as a part of dx/(c_p + |v|).",
-               "0.2 to 0.7 give the same answers; 0.4 leaves room for badly filled cells")
+               "0.2 to 0.7 give the same answers; 0.4 leaves room for badly filled cells; after a "
+               "shorter step, as what is recorded makes them, at most 0.7 is taken, since unlike "
+               "steps beyond that can pump a wave")
           .add("node_mass_floor", &Mpm::node_mass_floor, between(0., 0.5),
                "Nodes below this part of a full cell's mass follow those behind them; 0: off, as "
                "always with stress_update = \"first\".",

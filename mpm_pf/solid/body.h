@@ -50,6 +50,7 @@ namespace solid
     double reference_speed = 0.;                        // that the Mach number refers to
     double bin = 0.; // side of the bins of a sampled line unless it says otherwise
     long steps = 0;
+    double last_step = 0.; // its length; 0 before the first
     int threads = 1;
 
     Interpolation interpolation() const { return {scheme, grid, supports.folds}; }

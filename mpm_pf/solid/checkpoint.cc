@@ -108,9 +108,9 @@ namespace solid
       f(energy.start), f(energy.kinetic), f(energy.dissipated);
       f(solid.loads.work), f(solid.loads.work_done), f(solid.points.active);
       f(outlines), f(density), f(energy.largest), f(energy.strained), f(energy.elastic_start);
-      f(energy.kinetic_time), f(energy.internal_time);
+      f(energy.kinetic_time), f(energy.internal_time), f(solid.last_step);
     }
-    constexpr std::size_t number_count = 17;
+    constexpr std::size_t number_count = 18;
   } // namespace
 
   void checkpoint(const Solid &solid,
