@@ -15,15 +15,24 @@ namespace verify
   namespace fs = std::filesystem;
   namespace
   {
+    /// `name` is the value, and name0, name1, ... are the entries of a list, as far as they are
+    /// numbers.
     void add_axis(Constants &constants, const std::string &name, const Axis &axis,
                   const std::string &value)
     {
       if (value == absent_value && axis.absent)
         constants.emplace_back(name, *axis.absent);
-      char *end = nullptr;
-      const double number = std::strtod(value.c_str(), &end);
-      if (!value.empty() && *end == '\0')
-        constants.emplace_back(name, number);
+      const auto add = [&constants](const std::string &of, const std::string &text)
+      {
+        char *end = nullptr;
+        const double number = std::strtod(text.c_str(), &end);
+        if (!text.empty() && *end == '\0')
+          constants.emplace_back(of, number);
+      };
+      add(name, value);
+      int k = 0;
+      for (const auto &entry : entries_of(value))
+        add(name + std::to_string(k++), entry);
     }
   } // namespace
 

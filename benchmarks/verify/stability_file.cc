@@ -47,7 +47,20 @@ namespace verify
       return axis;
     }
 
-    Accurate read_accurate(Section &section, const Case &c)
+    /// What stands for the values of a cell while formulas are looked through; each cell has its
+    /// own.
+    Constants with_axes(Constants constants)
+    {
+      for (const std::string axis : {"axis_x", "axis_y"})
+      {
+        constants.emplace_back(axis, 0.);
+        for (int k = 0; k < 10; ++k)
+          constants.emplace_back(axis + std::to_string(k), 0.);
+      }
+      return constants;
+    }
+
+    Accurate read_accurate(Section &section, const Case &c, const std::vector<std::string> &maps)
     {
       Accurate accurate;
       Check &check = accurate.check;
@@ -65,13 +78,17 @@ namespace verify
       check.against = read_against(section, check);
       check_norm(section, "norm", check);
       read_limit(section, check, c.constants);
-      Constants known = c.constants;
-      known.insert(known.end(), {{"axis_x", 0.}, {"axis_y", 0.}}); // each cell has its own
-      check_formulas(section, check, known);
-      check_csv(section, check, c);
+      Case known = c;
+      known.constants = with_axes(c.constants);
+      check_formulas(section, check, known.constants);
+      check_csv(section, check, known);
       refuse_what_cannot_fail(section, check, c.constants);
       hand_coverage_on(check);
       accurate.maps = section.texts("maps");
+      for (const auto &name : accurate.maps)
+        if (std::count(maps.begin(), maps.end(), name) == 0)
+          section.add_error("maps", fmt::format("there is no map `{}`", name),
+                            fmt::format("there are: {}", fmt::join(maps, ", ")));
       section.refuse_unused();
       return accurate;
     }
@@ -150,12 +167,12 @@ namespace verify
     c.suite = suite;
     c.scene = file.text("scene", takes_part(folder, "quick") ? "quick.toml" : "scene.toml");
     read_constants(file, c.constants);
-    for (auto &section : file.sections("accurate"))
-      stability.accurate.push_back(read_accurate(section, c));
     if (auto energy = file.section("energy"))
       stability.energy = read_energy(*energy, c);
+    std::vector<std::string> names; // of all maps, those of other suites included
     for (auto &section : file.sections("map"))
     {
+      names.push_back(section.required_text("name"));
       const auto suites = section.texts("suites");
       if (suites.empty() || std::find(suites.begin(), suites.end(), suite) != suites.end())
       {
@@ -163,6 +180,8 @@ namespace verify
         section.refuse_unused();
       }
     }
+    for (auto &section : file.sections("accurate"))
+      stability.accurate.push_back(read_accurate(section, c, names));
     file.refuse_unused();
     file.throw_errors();
     return stability;

@@ -52,7 +52,8 @@ namespace verify
   };
 
   /// What must hold for "accurate", in the maps named (none: in all). Its expressions know axis_x
-  /// and axis_y, the values of the cell where these are numbers.
+  /// and axis_y, the values of the cell where these are numbers, and axis_x0, axis_x1, ..., the
+  /// entries of a value that is a list.
   struct Accurate
   {
     Check check; // take and against a run named "cell"
