@@ -46,8 +46,9 @@ namespace scene
           .add("node_mass_floor", &Mpm::node_mass_floor, between(0., 0.5),
                "Nodes below this part of a full cell's mass follow those behind them; 0: off, as "
                "always with stress_update = \"first\".",
-               "few points reach the nodes at a rim, and what these are out of balance by eats "
-               "the work: a cantilever bent far loses 19 % of its work at 0 and 3 % at 0.1")
+               "few points reach a rim's nodes, and what these are out of balance by eats the "
+               "work: of a cantilever bent far 19 % at 0, 3 % at 0.1. The step does not ask for "
+               "the smallest mass, as light nodes follow; at 0 linear functions have no safe step")
           .add("mach", &Mpm::mach, inside(0., 1.),
                "Wanted ratio of the reference speed to the wave speed: the density is scaled to "
                "it, and with it the mass, momentum and kinetic energy that a history tells.",
