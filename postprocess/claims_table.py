@@ -16,16 +16,25 @@ sys.dont_write_bytecode = True
 
 import claims  # noqa: E402
 import claims_beside  # noqa: E402
+import claims_resolved  # noqa: E402
 import claims_slender  # noqa: E402
 import record  # noqa: E402
 from between_marks import write_between_marks  # noqa: E402
 from written import program  # noqa: E402
 
+
+
+def judged(measure):
+    """The table of claims that measure(results) finds."""
+    return lambda results: claims.markdown(measure(results))
+
+
 TABLES = (
-    ("Fig. 12", "compress_dendrite", claims.of_figure12),
-    ("Figs. 13 to 15", "compress_dendrite_noise", claims_slender.of_figures13_to_15),
-    ("A dendrite attached to a wall", "wall_galilean", claims_beside.of_wall),
-    ("Viscous dendrites (of Fig. 12; the paper's are those of Figs. 13 to 15)", "compress_dendrite_viscous", claims_beside.of_viscous),
+    ("Fig. 12", "compress_dendrite", judged(claims.of_figure12)),
+    ("Figs. 13 to 15", "compress_dendrite_noise", judged(claims_slender.of_figures13_to_15)),
+    ("A dendrite attached to a wall", "wall_galilean", judged(claims_beside.of_wall)),
+    ("Viscous dendrites (of Fig. 12; the paper's are those of Figs. 13 to 15)", "compress_dendrite_viscous", judged(claims_beside.of_viscous)),
+    ("Beside a slender dendrite whose tip is resolved", "compress_dendrite_slender", claims_resolved.table),
 )
 
 
@@ -39,10 +48,10 @@ def main(arguments):
         print(f"claims_table.py: {reason}", file=sys.stderr)
         return 2
     made = 0
-    for title, case, measure in TABLES:
+    for title, case, table_of in TABLES:
         results.used = []
         try:
-            table = claims.markdown(measure(results))
+            table = table_of(results)
         except record.Missing as reason:
             print(f"{title}: skipped: {reason}", file=sys.stderr)
             continue
