@@ -69,9 +69,9 @@ def asymmetry12(results):
     curves = []
     for one, (panel, measure, label, limit) in zip(axes, measured):
         found = [measure(run, time) for time in times]
-        for colour, name in zip(style.SEQUENCE, asymmetry.IMAGES):
+        for colour, mark, name in zip(style.SEQUENCE, ("o-", "s-", "^--"), asymmetry.IMAGES):
             values = np.array([f[name] for f in found])
-            one.plot(percent, np.maximum(values, FLOOR), "o-", color=colour, label=name)
+            one.plot(percent, np.maximum(values, FLOOR), mark, color=colour, mfc="none", ms=4.5, label=name)
             curves.append(panels.Curve(panel, name, percent, values))
         one.axhline(limit, color=style.GREY, lw=0.7, ls="--", label="asked of the mirrors")
         one.set(yscale="log", xlabel="compression / %", ylabel=label, title=panel, ylim=(FLOOR / 3, 1))
