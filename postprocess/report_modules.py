@@ -10,6 +10,7 @@ Prints the table as Markdown, or writes it between the lines `<!-- modules: begi
 import re
 from html import escape
 
+import costs
 from between_marks import table_program, tell_origin
 from written import folder_of, program, read_shaped
 
@@ -144,11 +145,13 @@ def markdown(campaign):
 
 def table(folder):
     path = folder_of(folder) / "campaign.json"
-    campaign = read_shaped(path, "cases") if path.is_file() else None
+    campaign = read_shaped(path, "suite", "cases") if path.is_file() else None
     lines = list(markdown(campaign)) if campaign else []
-    if len(lines) > 2:
-        tell_origin(campaign.get("provenance", {}))
-    return "\n".join(lines) + "\n" if len(lines) > 2 else ""
+    if len(lines) <= 2:
+        return ""
+    tell_origin(campaign.get("provenance", {}))
+    made = costs.programs([run for _, run in rows(campaign)])
+    return "\n".join([f"From {len(campaign['cases'])} cases of the {campaign['suite']} suite, {made}:", "", *lines]) + "\n"
 
 
 def main(arguments):

@@ -100,6 +100,16 @@ class Programs(Folders):
         program("table.py", self.folder / "results", "--refresh", self.folder / "bar/page.md")
         self.assertIn("13 s of CPU;\n", (self.folder / "bar/page.md").read_text())
 
+    def test_of_the_table_of_modules_say_of_what_programs_it_is(self):
+        sums = {"cpu_s": 2.0, "solver_bytes": 1e6, "resident_bytes": 2e7, "measured_solver_bytes": 1e6, "time": "met", "memory": "met", "resident": "met"}
+        run = {"name": "mpm_pf", "solver": "mpm_pf", "cpu_s": 2.5, "peak_rss_bytes": 3e7, "forecast": {"on": "solid (line 3)", "off": "", **sums}}
+        runs = [{**run, "provenance": {"commit": "0123456789", "dirty": "yes"}}]
+        self.write("campaign.json", {"suite": "quick", "cases": [{"case": "bar", "runs": runs}]})
+        code, printed, _ = program("report_modules.py", self.folder)
+        self.assertEqual(code, 0)
+        self.assertTrue(printed.startswith("From 1 cases of the quick suite, commit 0123456 with changes:\n\n| case |"), printed)
+        self.assertIn("| bar | mpm_pf | solid | 1 / 1 ✓ | 20 / 30 ✓ | 2 / 2.5 ✓ |", printed)
+
     def test_of_tables_know_a_file_without_marks_and_one_that_is_broken(self):
         row = {"solver": "mpm_pf", "status": "complete", "cpu_s": 1.0, "peak_rss_bytes": 3e7, "settings": {"accuracy": "draft"}, "errors": {"tip": 0.1}}
         trade = {"case": "bar", "measures": ["tip"], "rows": [row], "reference": {"uncertainty": {}}, "provenance": {}}
