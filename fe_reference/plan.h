@@ -22,6 +22,11 @@ namespace fe
   /// carried on to the end; every sampling time ends a step. None goes beyond clock.end.
   Plan make_plan(const Problem &, const scene::Scene &, const std::vector<double> &sampling_times);
 
+  /// How far the supports move against each other from 0 to `end`, over the side of a mean cell
+  /// (which perfectly plastic flow concentrates in), in yield strains sigma_Y/E; summed over
+  /// `load_steps` equal increments. 0 for what is elastic or what no support moves.
+  double yield_strains(const Problem &, double end, int load_steps);
+
   /// For people, and one line that programs read: `forecast cpu_s=... solver_bytes=...
   /// resident_bytes=...`.
   std::string describe(const Plan &);
