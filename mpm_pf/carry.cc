@@ -52,6 +52,7 @@ namespace
       advect_field(w, *w.heat, velocity, dt); // Eq. (2)
     if (w.orientation && w.scene->orientation->turning)
     {
+      const record::PartTimer timer = record::time_part(w.spent, "orientation");
       melt::allocate_angle_field(*w.orientation, *w.mesh);
       melt::advance_orientation(*w.orientation, velocity, dt, *w.mesh, *w.advection,
                                 w.extension.get()); // Eq. (3)
@@ -66,6 +67,7 @@ namespace
       advect_once(w, velocity, dt / static_cast<double>(steps));
     if (w.extension && w.orientation && w.scene->orientation->turning)
     {
+      const record::PartTimer inheriting = record::time_part(w.spent, "orientation");
       // By the distance that the velocity was extended with: new solid inherits the front's angle.
       medium::extend_inherited(*w.extension, {&w.orientation->angle}, *w.mesh);
       melt::refresh(*w.orientation, *w.mesh);

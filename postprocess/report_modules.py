@@ -126,7 +126,7 @@ def page(campaign):
     note = (
         "Numbers are predicted by --plan / measured. ✓ met: the solver's memory within 10 %, resident memory within 10 % + 50 MB, CPU time within a "
         "factor 2 (3 where finite elements choose their steps or points are seeded); – not judged: below 1 s of CPU. What is off holds no byte and is "
-        f"never called. Parts may lie within others: points to nodes, nodes, nodes to points and sorting within solid, distance within extension, factorisations within the solve. The longest run of each case and solver is shown; of all runs: {escape(said)}."
+        f"never called. Parts may lie within others: points to nodes, nodes, nodes to points and sorting within solid, distance within extension, orientation within advection, factorisations within the solve. The longest run of each case and solver is shown; of all runs: {escape(said)}."
     )
     return f'<p class="quiet">{note}</p><div class="scroll"><table><tr>{head}</tr>{body}</table></div>'
 

@@ -69,6 +69,12 @@ namespace solid
         near.push_back(static_cast<std::uint32_t>(p));
   }
 
+  double EdgeShares::bytes() const
+  {
+    return static_cast<double>(sums.size() * sizeof(sums[0]) + nodes.size() * sizeof(nodes[0]) +
+                               near.size() * sizeof(near[0]) + chords.size() * sizeof(chords[0]));
+  }
+
   void EdgeShares::add_loaded(const Tracers &tracers, const Interpolation &at)
   {
     const Grid &grid = at.grid;

@@ -30,6 +30,8 @@ namespace solid
     /// r_i of a node that a loaded chord touches.
     double operator[](const std::ptrdiff_t node) const { return sums[node].share; }
 
+    double bytes() const;
+
   private:
     struct Sums
     {

@@ -124,23 +124,6 @@ namespace solid
     return static_cast<long>(solid.grid.nodes.size());
   }
 
-  std::map<std::string, double> memory(const Solid &solid)
-  {
-    const Grid &grid = solid.grid;
-    const SortScratch &scratch = solid.scratch;
-    const double per_node =
-        sizeof(double) + sizeof(Node) + sizeof(Velocity) + 1. +
-        (grid.change.empty() ? 0. : sizeof(Velocity)) +
-        (solid.cells.mean.empty() ? 0. : 2. * sizeof(CellMeans::Sum) + sizeof(CellMeans::Mean));
-    return {{"points",
-             static_cast<double>(bytes_per_point(solid.points.may_split) * solid.points.size())},
-            {"grid", per_node * static_cast<double>(grid.nodes.size())},
-            {"scratch", 4. * static_cast<double>(scratch.key.size() + scratch.order.size() +
-                                                 scratch.count.size()) +
-                            4. * static_cast<double>(solid.cells.cell.size()) +
-                            8. * static_cast<double>(scratch.values.size())}};
-  }
-
   std::vector<record::Profile::Part> profile(const Solid &solid)
   {
     std::vector<record::Profile::Part> parts;

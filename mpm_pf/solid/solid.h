@@ -68,7 +68,9 @@ namespace solid
   long points(const Solid &);          // material points
   double largest_speed(const Solid &); // of any point, as of the last step
   long cells(const Solid &);           // grid cells with nodes in use
-  /// Bytes: "points" (state), "grid", "scratch" (sorting and the like).
+  /// Bytes: "points" (state), "grid", "scratch" (sorting and the like), and of what is there
+  /// "supports" (with the lines of symmetry sides and walls), "tractions", "body force", "tracers"
+  /// (of the outline).
   std::map<std::string, double> memory(const Solid &);
   /// Seconds of CPU by part: "points to nodes", "nodes", "nodes to points", "sorting".
   std::vector<record::Profile::Part> profile(const Solid &);

@@ -104,8 +104,8 @@ TEST(Absent, MeltCostsASolidNothing)
        {"phase field", "heat", "orientation", "growth", "velocity", "advection", "mean velocity",
         "extension", "noise", "walls", "imposed motion"})
     EXPECT_EQ(it.bytes(module), 0.) << module;
-  for (const char *module : {"growth", "heat", "advection", "extension", "distance", "seeding",
-                             "walls", "imposed motion"})
+  for (const char *module : {"growth", "heat", "advection", "orientation", "extension", "distance",
+                             "seeding", "walls", "imposed motion"})
     EXPECT_EQ(it.calls(module), 0) << module;
   EXPECT_TRUE(melt_history(it.world).names.empty());
   EXPECT_EQ(numbers(it.world).count("growth_step"), 0u);
@@ -115,6 +115,26 @@ TEST(Absent, MeltCostsASolidNothing)
   EXPECT_GT(it.calls("points to nodes"), 0);
 }
 
+TEST(Absent, WhatHoldsAndLoadsASolidCostsOneThatIsFreeNothing)
+{
+  const Moved free(head + block);
+  const std::pair<std::string, std::string> asked[] = {
+      {"supports", "[[support]]\non = \"bottom\"\ndisplacement = [\"0\", \"0\"]\n"},
+      {"tractions", "[[traction]]\non = \"top\"\ntraction = [\"0\", \"0.01*t\"]\n"},
+      {"body force", "[body_force]\nacceleration = [\"0\", \"-0.01\"]\n"}};
+  for (const auto &[part, section] : asked)
+  {
+    EXPECT_EQ(free.bytes("solid " + part), 0.) << part;
+    const Moved with(head + block + section);
+    for (const auto &[other, its_section] : asked)
+      EXPECT_EQ(with.bytes("solid " + other) > 0., other == part) << other << " beside " << part;
+  }
+  // A value for each point where it differs from one to another.
+  const Moved uneven(head + block + "[body_force]\nacceleration = [\"0.01*X\", \"0\"]\n");
+  EXPECT_GT(uneven.bytes("solid body force"), 16. * uneven.number("points"));
+  EXPECT_GT(free.bytes("solid tracers"), 0.) << "the outline of a body is there";
+}
+
 TEST(Absent, SolidAndMotionCostACrystalNothing)
 {
   const Moved it(head + growth);
@@ -122,8 +142,8 @@ TEST(Absent, SolidAndMotionCostACrystalNothing)
        {"solid", "velocity", "advection", "extension", "orientation", "noise", "walls", "imposed"})
     EXPECT_EQ(it.bytes(module), 0.) << module;
   EXPECT_EQ(it.number("noise_calls"), 0.);
-  for (const char *module : {"points", "nodes", "sorting", "solid", "advection", "extension",
-                             "distance", "seeding", "walls", "imposed"})
+  for (const char *module : {"points", "nodes", "sorting", "solid", "advection", "orientation",
+                             "extension", "distance", "seeding", "walls", "imposed"})
     EXPECT_EQ(it.calls(module), 0) << module;
   // no gradients beside phi and theta where nothing moves: one field each
   const auto field = static_cast<double>(it.world.phase->value.bytes());
@@ -139,7 +159,8 @@ TEST(Absent, HeatCostsAMarkerNothing)
   const Moved it(head + marker + "[imposed]\nvelocity = [\"0.1\", \"0\"]\n");
   for (const char *module : {"heat", "growth", "solid", "orientation"})
     EXPECT_EQ(it.bytes(module), 0.) << module;
-  for (const char *module : {"growth", "heat", "walls", "points", "mean velocity"})
+  for (const char *module :
+       {"growth", "heat", "walls", "points", "mean velocity", "orientation", "seeding"})
     EXPECT_EQ(it.calls(module), 0) << module;
   EXPECT_EQ(it.bytes("mean velocity"), 0.) << "advection.interval is 1";
   EXPECT_FALSE(it.has_column("theta_mean"));
@@ -178,6 +199,12 @@ TEST(Absent, WhatIsThereIsCounted)
   EXPECT_GT(coupled.bytes("extension"), 0.);
   EXPECT_EQ(coupled.calls("extension"), 3);
   EXPECT_EQ(coupled.calls("distance"), 3); // within it
+  EXPECT_EQ(coupled.calls("seeding"), 6);  // before the solid moves and after the crystal has grown
+  EXPECT_EQ(coupled.bytes("solid tracers"), 0.) << "its outline is the front";
+  EXPECT_EQ(coupled.calls("orientation"), 0);
+  const Moved turning(head + growth + block + "[orientation]\n");
+  EXPECT_EQ(turning.calls("orientation"), 6); // carried, and inherited by new solid
+  EXPECT_GT(turning.bytes("orientation"), 0.);
 }
 
 namespace
