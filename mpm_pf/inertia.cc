@@ -71,9 +71,12 @@ std::string verdict_on_inertia(const World &world)
                      percent(now.numbers.kinetic_to_internal) + " of the internal";
   if (now.opposed)
     text += "; opposite wall forces differ by " + percent(now.numbers.force_imbalance);
+  else
+    text += "; momentum takes " + percent(now.numbers.momentum_to_force) + " of the wall's force";
   // Twice the travel of one yield stress: beyond it the arm has been brought to speed.
-  const bool still =
-      now.numbers.kinetic_to_internal < 0.05 && (!now.opposed || now.numbers.force_imbalance < 0.1);
+  const double unbalanced =
+      now.opposed ? now.numbers.force_imbalance : now.numbers.momentum_to_force;
+  const bool still = now.numbers.kinetic_to_internal < 0.05 && unbalanced < 0.1;
   if (still && 2. * alone < reached)
     text += ": quasi-static beyond " + percent(2. * alone);
   else

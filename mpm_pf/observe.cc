@@ -90,6 +90,8 @@ namespace
     row.add("inertia_travel", length, now.numbers.inertia_travel);
     row.add("inertia_compression", "1", now.compression());
     row.add("force_imbalance", "1", now.numbers.force_imbalance);
+    if (!now.opposed)
+      row.add("momentum_to_force", "1", now.numbers.momentum_to_force);
   }
 
   record::Snapshot grid_snapshot(const World &world)

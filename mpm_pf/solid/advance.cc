@@ -5,6 +5,7 @@
 #include "record/stopwatch.h"
 #include "solid/blocks.h"
 #include "solid/body.h"
+#include "solid/energy.h"
 #include "solid/light_nodes.h"
 #include "solid/mean_velocity.h"
 #include "solid/mirrors.h"
@@ -187,6 +188,8 @@ namespace solid
       support.call_impulse = Point::Zero();
     if (mean)
       reset(*mean, solid.domain);
+    const bool walled = has_walls(solid.supports);
+    const Point momentum_before = walled ? momentum(solid) : Point(0., 0.);
     double left = dt;
     while (left > 0.)
     {
@@ -200,5 +203,7 @@ namespace solid
       finish(*mean), unfold(solid.supports, solid.domain, solid.grid, *mean);
     // The end is exactly where it was asked for, however many steps it took.
     solid.time = start + dt, solid.call_duration = dt;
+    if (walled)
+      add_wall_balance(solid, momentum_before);
   }
 } // namespace solid

@@ -25,6 +25,13 @@ namespace solid
     double kinetic_time = 0., internal_time = 0.;
   };
 
+  /// Of the calls of advance in which walls pressed, by axis: sums of the absolute changes of the
+  /// solid's momentum and of the absolute impulses of the walls.
+  struct WallBalance
+  {
+    Point change = Point::Zero(), impulse = Point::Zero();
+  };
+
   struct Solid
   {
     Scheme scheme;
@@ -39,6 +46,7 @@ namespace solid
     Loads loads;
     Tracers tracers;
     Energy energy;
+    WallBalance wall_balance;
     SortScratch scratch;
     std::vector<Share> shares; // of the blocks
     std::array<int, 2> points_per_cell{2, 2};

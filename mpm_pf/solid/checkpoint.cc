@@ -109,8 +109,10 @@ namespace solid
       f(solid.loads.work), f(solid.loads.work_done), f(solid.points.active);
       f(outlines), f(density), f(energy.largest), f(energy.strained), f(energy.elastic_start);
       f(energy.kinetic_time), f(energy.internal_time), f(solid.last_step);
+      for (int axis = 0; axis < 2; ++axis)
+        f(solid.wall_balance.change[axis]), f(solid.wall_balance.impulse[axis]);
     }
-    constexpr std::size_t number_count = 18;
+    constexpr std::size_t number_count = 22;
   } // namespace
 
   void checkpoint(const Solid &solid,

@@ -32,6 +32,10 @@ namespace solid
     double inertia_travel = 0.;
     /// |F_1 + F_2| over the mean of |F_1| and |F_2| of opposite walls, means of the last call.
     double force_imbalance = 0.;
+    /// Mean of |dP/dt| over the mean of |F| since a wall first pressed, P the momentum of the solid
+    /// and F the force of a wall that has none opposite. What F does not spend on P goes through
+    /// the symmetry side: 0 in equilibrium, 1 in free flight.
+    double momentum_to_force = 0.;
     double kinetic_to_internal = 0.; // kinetic energy over elastic energy and plastic dissipation
   };
 
@@ -40,7 +44,7 @@ namespace solid
     double arm = 0.;   // length of material that the wall has to stop or move
     double speed = 0.; // of the wall
   };
-  /// The imbalance is that of walls on opposite sides; with a symmetry side opposite there is none
-  /// to see, and it is 0.
+  /// The imbalance is that of walls on opposite sides, else 0; momentum over force is that of walls
+  /// that have none opposite, else 0.
   QuasiStatic quasi_static(const Solid &, const WallLoading &);
 } // namespace solid

@@ -204,6 +204,27 @@ namespace solid
     }
   }
 
+  bool has_walls(const Supports &supports)
+  {
+    return std::any_of(supports.lines.begin(), supports.lines.end(),
+                       [](const HeldLine &line) { return line.contact; });
+  }
+
+  void add_wall_balance(Solid &solid, const Point &momentum_before)
+  {
+    Point impulse = Point::Zero();
+    for (const HeldLine &line : solid.supports.lines)
+      if (line.contact)
+        impulse[line.axis] += std::abs(solid.supports.all[line.support].call_impulse[line.axis]);
+    const Point change = momentum(solid) - momentum_before;
+    for (int axis = 0; axis < 2; ++axis)
+      if (impulse[axis] > 0.)
+      {
+        solid.wall_balance.change[axis] += std::abs(change[axis]);
+        solid.wall_balance.impulse[axis] += impulse[axis];
+      }
+  }
+
   QuasiStatic quasi_static(const Solid &solid, const WallLoading &loading)
   {
     QuasiStatic found;
@@ -222,6 +243,10 @@ namespace solid
         }
       if (count == 2 && size > 0.)
         found.force_imbalance = std::max(found.force_imbalance, 2. * std::abs(sum) / size);
+      const WallBalance &balance = solid.wall_balance;
+      if (count == 1 && balance.impulse[axis] > 0.)
+        found.momentum_to_force =
+            std::max(found.momentum_to_force, balance.change[axis] / balance.impulse[axis]);
     }
     const double internal = elastic_energy(solid) + solid.energy.dissipated;
     found.kinetic_to_internal = internal > 0. ? kinetic_energy(solid) / internal : 0.;

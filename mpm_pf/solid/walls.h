@@ -44,6 +44,11 @@ namespace solid
   /// Put points that are past a wall at time t back before it.
   void stop_at_walls(Solid &, double t);
 
+  bool has_walls(const Supports &);
+
+  /// Adds a call of advance, which began with that momentum, to the balance of the walls' impulses.
+  void add_wall_balance(Solid &, const Point &momentum_before);
+
   /// The mean velocity of a line's row, which is that on the line, to the places of its nodes.
   void unfold(const Supports &, const scene::Domain &, const Grid &, NodalVelocity &);
 } // namespace solid

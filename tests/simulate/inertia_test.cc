@@ -45,6 +45,11 @@ namespace
       writer.finish({});
       history = record::Reader(folder / "record.h5").table("h");
     }
+    bool has(const std::string &name) const
+    {
+      const auto &names = history.columns.names;
+      return std::find(names.begin(), names.end(), name) != names.end();
+    }
     /// The last row's.
     double column(const std::string &name) const
     {
@@ -69,6 +74,7 @@ TEST(Inertia, OfASlowCompressionIsSmallAndSaidToBe)
   EXPECT_NEAR(run.column("compression"), 0.1, 0.02);
   EXPECT_NEAR(run.column("inertia_compression"), 1e-3, 1e-9);
   EXPECT_NEAR(run.column("inertia_travel"), 4e-3, 0.05 * 4e-3); // half of what is between them
+  EXPECT_FALSE(run.has("momentum_to_force")) << "walls are opposite";
   EXPECT_GE(run.column("force_imbalance"), 0.);
   EXPECT_LT(run.column("force_imbalance"), 0.01) << "the block is its own mirror image";
   const std::string verdict = verdict_on_inertia(run.world);
@@ -89,14 +95,31 @@ TEST(Inertia, OfAFastCompressionIsSaid)
   EXPECT_TRUE(says(verdict, ": not quasi-static")) << verdict;
 }
 
-// Pushed from one side only, in free flight afterwards: nothing to compare the force with.
-TEST(Inertia, WithOneWallKnowsNoImbalance)
+// Pushed from one side only, in free flight afterwards: all of the force is momentum.
+TEST(Inertia, WithOneWallAndNothingOppositeIsFreeFlight)
 {
   const Pressed run(pressed("0.5", "0.1"));
   EXPECT_EQ(run.column("force_imbalance"), 0.);
+  EXPECT_NEAR(run.column("momentum_to_force"), 1., 1e-6);
   const std::string verdict = verdict_on_inertia(run.world);
   EXPECT_FALSE(says(verdict, "opposite wall forces")) << verdict;
   EXPECT_TRUE(says(verdict, "inertia alone takes 2.5 %")) << verdict;
+  EXPECT_TRUE(says(verdict, "; momentum takes 100 % of the wall's force: not quasi")) << verdict;
+}
+
+// The upper half of the block of the first test: what the lower wall was is the symmetry side.
+TEST(Inertia, OfAHalfIsTheMomentumThatItsForceChanges)
+{
+  const std::string whole = pressed("0.1", "0.1");
+  const std::string half = "title = \"t\"\n[domain]\norigin = [0.0, 8.0]\nsize = [16.0, 8.0]\n"
+                           "cells = [32, 16]\nboundary = \"symmetry\"\n" +
+                           whole.substr(whole.find("[[body]]"));
+  const Pressed run(half);
+  EXPECT_LT(run.column("momentum_to_force"), 0.1);
+  EXPECT_GT(run.column("momentum_to_force"), 0.);
+  const std::string verdict = verdict_on_inertia(run.world);
+  EXPECT_TRUE(says(verdict, "; momentum takes ")) << verdict;
+  EXPECT_TRUE(says(verdict, ": quasi-static beyond ")) << verdict;
 }
 
 TEST(Inertia, SaysNothingBeforeAWallHasCompressed)
