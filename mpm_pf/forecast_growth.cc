@@ -61,6 +61,25 @@ namespace
     return arms;
   }
 
+  /// Length of the plane fronts of a layer that reaches from one side of the domain to the other; 0
+  /// where none does.
+  double layer_front_length(const scene::Scene &scene)
+  {
+    const scene::Box body = scene::bounding_box(scene.bodies);
+    const scene::Point lower = scene.domain.lower, upper = scene.domain.upper();
+    const double rounding = 1e-9 * scene.domain.size.maxCoeff();
+    for (const int along : {0, 1})
+    {
+      const int across = 1 - along;
+      const double fronts = (body.lower[across] > lower[across] + rounding ? 1. : 0.) +
+                            (body.upper[across] < upper[across] - rounding ? 1. : 0.);
+      if (body.lower[along] < lower[along] + rounding &&
+          body.upper[along] > upper[along] - rounding)
+        return fronts * scene.domain.size[along];
+    }
+    return 0.;
+  }
+
   /// Length of phi = 0: each quarter has the sides of two half arms, rounder at first.
   double interface_length(const Arms &arms, const double time)
   {
@@ -212,12 +231,13 @@ GrowthLoad growth_load(const World &world)
   const double strip = strip_width(world);
   const double cell = world.mesh->spacing[0];
   const double nodes = static_cast<double>(world.mesh->node_count());
+  const double layer = layer_front_length(scene);
   constexpr int samples = 40;
   for (int k = 0; k < samples; ++k)
   {
     const double time = (k + 0.5) / samples * load.end;
-    const double active =
-        scene.growth->tiles ? std::min(nodes, strip * interface_length(arms, time) / cell) : nodes;
+    const double length = layer > 0. ? layer : interface_length(arms, time);
+    const double active = scene.growth->tiles ? std::min(nodes, strip * length / cell) : nodes;
     const double heated =
         scene.growth->tiles && !world.noise
             ? std::min(nodes, heated_area(world, arms, time) / (cell * world.mesh->spacing[1]))

@@ -37,6 +37,26 @@ TEST(Crystal, HasTheParabolaOfTheory)
   EXPECT_EQ(tip_radius(scene), 0.);
 }
 
+// A layer from side to side has no arms: its fronts are as long as the domain is high.
+TEST(Crystal, ThatIsALayerHasPlaneFronts)
+{
+  const auto active = [](const std::string &corner, const std::string &size)
+  {
+    return growth_load(build_world(scene_of("title = \"t\"\n[domain]\nsize = [600.0, 8.0]\n"
+                                            "cells = [600, 8]\n[[body]]\nshape = \"rectangle\"\n"
+                                            "corner = [" +
+                                            corner + "]\nsize = [" + size +
+                                            "]\n[clock]\nend = 1.0\n[phase_field]\nwidth = 1.0\n"
+                                            "[growth]\nanisotropy = 0.0\ncapillary_length = 0.185\n"
+                                            "[heat]\ndiffusivity = 3.0\nundercooling = 0.55\n"),
+                                   1))
+        .active_nodes;
+  };
+  const double one = active("0.0, 0.0", "20.0, 8.0"), two = active("290.0, 0.0", "20.0, 8.0");
+  EXPECT_GT(one, 8. * 34.); // 17 widths on both sides of it
+  EXPECT_NEAR(two, 2. * one, 1e-9 * one);
+}
+
 // compress_dendrite_noise in full: 0.29 of the domain when its arms reach the sides, without noise
 // half as much.
 TEST(Crystal, IsFullerOfSideBranchesWhereNoiseHasRoomForThem)
