@@ -9,6 +9,7 @@
 
 #include <omp.h>
 
+#include "contact_forecast.h"
 #include "costs.h"
 #include "front_warnings.h"
 #include "inertia.h"
@@ -30,6 +31,7 @@ namespace
   constexpr double memory_check_interval_s = 0.25;
   constexpr double flush_interval_s = 60.; // so long a row may wait to be seen in the record
   constexpr auto last_good = "last good state";
+  constexpr auto forecast_at_contact = "forecast_at_contact_cpu_s";
 
   void save_checkpoint(const World &world, const Recorder &recorder, const record::Profile &spent,
                        const std::string &path)
@@ -71,6 +73,7 @@ namespace
     const scene::Scene &scene;
     const record::CommandLine &command;
     record::RunCost cost;
+    ContactForecast contact;
     record::Stopwatch since_checkpoint;
     std::optional<record::Stopwatch> since_memory_check; // not before the first
     bool saved = false;                                  // there is a checkpoint of this run
@@ -111,7 +114,7 @@ namespace
     world.steps = static_cast<long>(from.number("steps"));
     restore(world, from);
     if (!progress) // else it is a rerun, which is no start
-      cost.resume(from);
+      cost.resume(from), contact.restore(cost.earlier(forecast_at_contact));
     writer.emplace(command.record_path(), provenance, scene, record::Writer::Resume{world.time});
     recorder.emplace(scene, *writer);
     recorder->restore(from, world.time);
@@ -140,6 +143,8 @@ namespace
   {
     measure_memory();
     auto known = numbers(world);
+    if (contact.cpu_s())
+      known[forecast_at_contact] = *contact.cpu_s();
     for (const auto &[what, bytes] : held)
       known["bytes " + what] = bytes;
     return cost.profile({recorder->cost(), world.steps, parts(world), known});
@@ -149,6 +154,7 @@ namespace
   /// part of another: tests/instructions leaves it out of what a step costs.
   [[gnu::noinline]] void Session::keep_house()
   {
+    add(contact, world, cost.cpu_seconds());
     progress->set_end(expected_end(world));
     progress->update(world.time, "step " + std::to_string(world.steps));
     if (!since_memory_check || since_memory_check->wall_seconds() > memory_check_interval_s)

@@ -239,12 +239,12 @@ namespace verify
     Json forecast_sums(const Json &cases)
     {
       Json sums;
-      for (const char *what : {"time", "memory", "resident"})
+      for (const char *what : {"time", "memory", "resident", "contact"})
       {
         sums[what] = {{"met", 0}, {"missed", 0}, {"not judged", 0}};
         for (const auto &one : cases)
           for (const auto &run : one["runs"])
-            if (run.contains("forecast"))
+            if (run.contains("forecast") && run["forecast"].contains(what))
             {
               auto &count = sums[what][run["forecast"][what].get<std::string>()];
               count = count.get<int>() + 1;

@@ -1,6 +1,7 @@
 // What the solvers forecast of their own runs (`--plan`), and whether it came true: memory of the
 // solver within 10 %, resident memory within 10 % + 50 MB, CPU time within a factor 2 (3 where
-// finite elements choose their own steps or points are seeded during the run).
+// finite elements choose their own steps or points are seeded during the run; of what such a run
+// estimates at contact, 2 again).
 #pragma once
 
 #include <map>

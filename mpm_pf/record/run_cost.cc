@@ -64,6 +64,17 @@ namespace record
     return profile;
   }
 
+  double RunCost::cpu_seconds() const
+  {
+    return record::cpu_seconds() + earlier("cpu_s").value_or(0.);
+  }
+
+  std::optional<double> RunCost::earlier(const std::string &number) const
+  {
+    const auto found = before.numbers.find(number);
+    return found == before.numbers.end() ? std::nullopt : std::optional<double>(found->second);
+  }
+
   void RunCost::resume(const Checkpoint &checkpoint)
   {
     before = {};

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,12 @@ namespace record
     /// `peak_rss_bytes`, of the whole run until now: times and calls (numbers that end in `_calls`)
     /// are the sum over its starts, bytes ("bytes ...", `peak_rss_bytes`) the most of any.
     Profile profile(SolverCost) const;
+
+    /// CPU seconds of the run until now, over its starts.
+    double cpu_seconds() const;
+
+    /// A number of the profile in the checkpoint that the run went on from, if it was there.
+    std::optional<double> earlier(const std::string &number) const;
 
     /// The run goes on from `checkpoint`, in which save() put the profile until then.
     void resume(const Checkpoint &checkpoint);

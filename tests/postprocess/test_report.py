@@ -30,6 +30,12 @@ class Words(unittest.TestCase):
         self.assertEqual([report_modules.seconds(v) for v in (649.0, 8.44, 0.00312)], ["649", "8.4", "0.0031"])
         self.assertEqual([report_modules.percent(v) for v in (0.97, 0.004)], ["97 %", "< 1 %"])
 
+    def test_what_a_run_estimated_at_contact_stands_beside_its_plan(self):
+        run = {"cpu_s": 11.0, "peak_rss_bytes": 1e7, "forecast": {"cpu_s": 25.0, "solver_bytes": 2e6, "measured_solver_bytes": 2e6, "resident_bytes": 1e7, "memory": "met", "resident": "met", "time": "met"}}
+        self.assertEqual(report_modules.sums_text(run)[2], "25 / 11 ✓")
+        run["forecast"] |= {"at_contact_cpu_s": 23.0, "contact": "missed"}
+        self.assertEqual(report_modules.sums_text(run)[2], "25 / 11 ✓; at contact 23 ✗")
+
     def test_axes_are_named_after_what_was_taken(self):
         names = {
             'mpm_pf: line "arm" von_mises': ("distance along the line", "von_mises"),

@@ -88,6 +88,18 @@ TEST(RunCost, CountsStepsOfTheWholeRunOnceAndTakesTheMostOfBytes)
   EXPECT_GE(whole.numbers.at("peak_rss_bytes"), before.numbers.at("peak_rss_bytes"));
 }
 
+TEST(RunCost, KnowsWhatTheCheckpointHolds)
+{
+  const Scratch scratch;
+  const Profile before = interrupted(scratch);
+  RunCost cost;
+  EXPECT_FALSE(cost.earlier("points"));
+  cost.resume(Checkpoint::load(scratch / "c.h5", {}));
+  EXPECT_EQ(cost.earlier("points"), std::optional<double>(9.));
+  EXPECT_FALSE(cost.earlier("forecast")) << "it had none";
+  EXPECT_GE(cost.cpu_seconds(), 2. * before.numbers.at("cpu_s")) << "of one process here";
+}
+
 TEST(RunCost, IsTheSumOfSetUpSolveAndOutput)
 {
   const Scratch scratch;

@@ -99,6 +99,27 @@ TEST(Forecast, ThatIsNoNumberNeverPasses)
   EXPECT_NE(judged(forecast_of(30., 4e7, absent)).status, Status::pass);
 }
 
+// The plan may be a factor 3 off where points are seeded; what is said at contact only 2.
+TEST(Forecast, AtContactIsHeldAgainstTheRunAsWell)
+{
+  using verify::Status;
+  const auto pressed = [](const double at_contact_s)
+  {
+    auto run = long_run();
+    run["profile"]["growth_steps"] = 1000;
+    run["profile"]["points"] = 5000;
+    run["profile"]["forecast_at_contact_cpu_s"] = at_contact_s;
+    return run;
+  };
+  EXPECT_EQ(judged(forecast_of(80., 4e7, 1e8), pressed(50.)).status, Status::pass);
+  const auto wrong = judged(forecast_of(80., 4e7, 1e8), pressed(70.));
+  EXPECT_EQ(wrong.status, Status::fail);
+  EXPECT_NE(wrong.why.find("at contact: CPU 70/30 s (missed)"), std::string::npos) << wrong.why;
+  auto alone = long_run();
+  verify::add_forecast(forecast_of(30., 4e7, 1e8), alone);
+  EXPECT_FALSE(alone["forecast"].contains("contact")) << "no wall has met a crystal";
+}
+
 TEST(Forecast, OfTheSolversMemoryCountsFromOneMegabyteOn)
 {
   using verify::Status;
