@@ -1,33 +1,32 @@
 #include "solid/light_nodes.h"
 
+#include <tuple>
+
 namespace solid
 {
   namespace
   {
     constexpr std::uint8_t both = 3;
-    // Which components no support holds, at the nodes of each fold and at free ones.
+    // Which components no support holds at a node. Of the two rows where a line folds functions
+    // only the carriers are held; the row before them counts as free where `before_supports` is.
     struct FreeComponents
     {
       const Supports &supports;
       const Grid &grid;
-      std::vector<std::uint8_t> of_fold{both};
+      bool before_supports;
 
-      FreeComponents(const Supports &s, const Grid &g) : supports(s), grid(g)
+      std::uint8_t at(const std::ptrdiff_t n, const int i, const int j) const
       {
-        for (const auto &lines : s.folds.pairs)
+        std::uint8_t free = both;
+        for (int axis = 0; axis < 2 && grid.fold[n] > 0; ++axis)
         {
-          std::uint8_t free = both;
-          for (const int line : lines)
-            for (int c = 0; c < 2 && line >= 0; ++c)
-              if (s.lines[line].held[c])
+          const int l = supports.folds.pairs[grid.fold[n] - 1][axis];
+          if (l >= 0 &&
+              (!before_supports || supports.folds.lines[l].carrier() == (axis == 0 ? i : j)))
+            for (int c = 0; c < 2; ++c)
+              if (supports.lines[l].held[c])
                 free &= static_cast<std::uint8_t>(~(1 << c));
-          of_fold.push_back(free);
         }
-      }
-
-      std::uint8_t at(const std::ptrdiff_t n) const
-      {
-        std::uint8_t free = of_fold[grid.fold[n]];
         if (!supports.tied.empty())
           free &= static_cast<std::uint8_t>(~supports.tied[n]);
         for (int c = 0; c < 2 && !supports.driven_parts.empty(); ++c)
@@ -100,7 +99,7 @@ namespace solid
       const Grid &grid = free.grid;
       const auto [i, j] = light.at;
       double omega = 0.; // mass of the node that was asked for last
-      const auto node = [&](const int a, const int b) -> std::ptrdiff_t
+      const auto node = [&](int a, int b) -> std::ptrdiff_t
       {
         std::ptrdiff_t n = -1;
         double whole = 1.;
@@ -110,6 +109,7 @@ namespace solid
           n = image.node, whole = image.whole;
           if (n < 0)
             return -1;
+          std::tie(a, b) = std::tie(image.at[0], image.at[1]);
         }
         else
         {
@@ -118,7 +118,7 @@ namespace solid
           n = grid.at(a, b);
         }
         omega = whole * grid.mass[n];
-        return omega >= least && (free.at(n) & light.components) == light.components ? n : -1;
+        return omega >= least && (free.at(n, a, b) & light.components) == light.components ? n : -1;
       };
       light.behind.fill(light.node), light.weight.fill(0.);
       double of_pairs = 0., of_single = 0.;
@@ -191,7 +191,7 @@ namespace solid
           if (const double mass = self(grid, light).whole * grid.mass[light.node];
               mass >= least || mass <= rounding)
             continue;
-        light.components = free.at(light.node);
+        light.components = free.at(light.node, i, j);
         if (light.components == 0 || !(light.straight ? find_behind<true>(light, free, least)
                                                       : find_behind<false>(light, free, least)))
           continue;
@@ -212,7 +212,7 @@ namespace solid
   void tie_light_nodes(LightNodes &nodes, const Supports &supports, Grid &grid, const double least,
                        const double dt, const int threads)
   {
-    const FreeComponents free(supports, grid);
+    const FreeComponents free{supports, grid, nodes.before_supports};
     const int rows = grid.row_end - grid.row_begin;
     nodes.found.resize(static_cast<std::size_t>(rows));
     nodes.leaning.assign(grid.nodes.size(), 0);

@@ -31,9 +31,13 @@ namespace solid
     Point impulse = Point::Zero();         // that it loses
   };
 
-  /// Kept from step to step for its memory only.
+  /// Lists kept from step to step for their memory only.
   struct LightNodes
   {
+    /// Are those in the row before a support's line tied as well? Linear functions are not stable
+    /// there else; of smooth ones, which are, a tie to rows where they are folded costs accuracy:
+    /// the loop of tension_compression is 0.95 % off then instead of 0.25 %.
+    bool before_supports = false;
     std::vector<std::vector<LightNode>> found; // by rows of nodes
     std::vector<std::uint8_t> leaning;         // how many lean on a node
   };

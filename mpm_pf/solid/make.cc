@@ -69,6 +69,7 @@ namespace solid
     Owner owner(new Solid(scene));
     Solid &solid = *owner;
     solid.scheme = make_scheme(scene, mpm);
+    solid.light_nodes.before_supports = solid.scheme.shape == Shape::linear;
     make_grid(solid.grid, scene.domain);
     solid.threads = threads;
     // The density only scales the masses, so it may come after all that needs the points.

@@ -44,6 +44,7 @@ namespace solid
       else if (k == mirror.row)
         image.sign[mirror.axis] = 0., image.whole *= 2.;
     }
+    image.at = {i, j};
     if (grid.has(i, j))
       image.node = grid.at(i, j);
     return image;

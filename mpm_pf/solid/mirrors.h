@@ -21,6 +21,7 @@ namespace solid
     std::ptrdiff_t node;        // -1: without memory
     std::array<double, 2> sign; // of components: -1 beyond a side across it, 0 on one, else 1
     double whole;               // the whole's mass over its own: 2 on a side, 4 where two meet
+    std::array<int, 2> at{};    // its column and row
 
     Point apply(const Point &v) const { return {sign[0] * v[0], sign[1] * v[1]}; }
   };

@@ -137,3 +137,34 @@ TEST(LightNodes, KeepTheWorkOfABentCantilever)
   EXPECT_LT(std::abs(lost(0.1)), 0.02);
   EXPECT_GT(lost(0.), 0.05);
 }
+
+// Linear functions reach by 0.01 of a cell over the last row of nodes, which by themselves bear a
+// step of 0.2 and are tied to bear 0.4; so they must be in the row in front of a clamp, too.
+TEST(LightNodes, FollowBesideAClampAsWell)
+{
+  const auto growth = [](const double floor)
+  {
+    scene::Scene scene = small::rectangle({1., 1.1275}, {2., 1.}, {4., 4.}, {16, 16});
+    small::hold(scene, "root", scene::Edge::left, "0", "0");
+    scene.mpm->shape_function = scene::ShapeFunction::linear;
+    scene.mpm->points_per_cell = {1, 1};
+    scene.mpm->node_mass_floor = floor;
+    scene.bodies[0].velocity = {small::text("0"), small::text("0.01*(X - 1)")};
+    const solid::Owner beam = solid::make_solid(scene);
+    const double given = small::value_of(solid::history(*beam), "kinetic_energy");
+    try
+    {
+      solid::advance(*beam, 1.);
+    }
+    catch (const std::exception &)
+    {
+      return HUGE_VAL;
+    }
+    const solid::History history = solid::history(*beam);
+    return (small::value_of(history, "kinetic_energy") +
+            small::value_of(history, "elastic_energy")) /
+           given;
+  };
+  EXPECT_LT(growth(0.1), 1.01);
+  EXPECT_GT(growth(0.), 2.);
+}
