@@ -141,7 +141,8 @@ TEST(FailedRun, KeepsTheMeltBeforeItLeftItsBounds)
   EXPECT_TRUE(says(end.said, " has left its bounds")) << end.said;
   const record::Reader record(command.record_path());
   EXPECT_GT(record.snapshot_times("last good state").at(0), 0.);
-  for (const double phi : last_good(record).fields.at("phi"))
+  const auto good = last_good(record);
+  for (const double phi : good.fields.at("phi"))
     ASSERT_LT(std::abs(phi), 2.);
 }
 
